@@ -1,0 +1,44 @@
+# Functions with which every library, program and test of the project is declared.
+
+# Compiler settings that all targets share. No flag here may change Eigen's alignment (-march=native and the like):
+# Eigen types cross the ABI of OMPL and FCL.
+function(ompl_mfa_compile_settings target)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+    if(OMPL_MFA_WARNINGS_AS_ERRORS)
+        target_compile_options(${target} PRIVATE -Werror)
+    endif()
+    if(OMPL_MFA_SANITIZE)
+        target_compile_options(${target} PRIVATE -fsanitize=${OMPL_MFA_SANITIZE} -fno-omit-frame-pointer
+                                                 -fno-sanitize-recover=all)
+        target_link_options(${target} PRIVATE -fsanitize=${OMPL_MFA_SANITIZE})
+    endif()
+endfunction()
+
+# ompl_mfa_add_library(<target> <exported name>): an installed library; rooms add their sources to it.
+function(ompl_mfa_add_library target export_name)
+    add_library(${target})
+    add_library(ompl_mfa::${export_name} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name} VERSION ${PROJECT_VERSION})
+    target_compile_features(${target} PUBLIC cxx_std_17)
+    target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    ompl_mfa_compile_settings(${target})
+    install(TARGETS ${target} EXPORT ompl_mfaTargets
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()
+
+# ompl_mfa_add_test(<name> SOURCES <files> LIBRARIES <targets> [LABELS <labels>] [TIMEOUT <seconds>]): one GoogleTest
+# program, registered with CTest as a whole; each program belongs to one room and is named <room>_<what>.
+function(ompl_mfa_add_test name)
+    cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+    add_executable(${name} ${ARG_SOURCES})
+    ompl_mfa_compile_settings(${name})
+    target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+    target_compile_definitions(${name} PRIVATE OMPL_MFA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    add_test(NAME ${name} COMMAND ${name})
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 300)
+    endif()
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+endfunction()
