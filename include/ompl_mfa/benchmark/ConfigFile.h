@@ -1,0 +1,158 @@
+#ifndef OMPL_MFA_BENCHMARK_CONFIG_FILE_
+#define OMPL_MFA_BENCHMARK_CONFIG_FILE_
+
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ompl_mfa
+{
+    /** \brief One `key = value` as it was written, with the place that an error about it has to name. */
+    struct ConfigEntry
+    {
+        std::string key;
+        std::string value;
+        /** \brief "FILE:LINE", or the command line option that it came from. */
+        std::string origin;
+    };
+
+    /** \brief The state space of a problem. It follows from the keys of start and goal and from `statespace`. */
+    enum class StateSpaceKind
+    {
+        R2,                ///< x, y: a point or a disc
+        R3,                ///< x, y, z: a point or a ball
+        SE2,               ///< x, y, theta
+        SE3,               ///< x, y, z, axis.x, axis.y, axis.z, theta
+        DUBINS,            ///< SE2 with `statespace = dubins`
+        DUBINS_SYMMETRIC,  ///< SE2 with `statespace = dubinssymmetric`
+        REEDS_SHEPP        ///< SE2 with `statespace = reedsshepp`
+    };
+
+    enum class MotionValidation
+    {
+        DISCRETE,   ///< OMPL's: states at most longest_valid_segment_fraction of the space's extent apart
+        CONTINUOUS  ///< conservative advancement, which no obstacle escapes
+    };
+
+    /** \brief A pose in the world. Coordinates that the problem's space does not have are 0. */
+    struct ConfigPose
+    {
+        double x{0.0};
+        double y{0.0};
+        double z{0.0};
+        /** \brief Rotation axis (SE3 only), not necessarily of unit length. */
+        double axis[3]{0.0, 0.0, 1.0};
+        /** \brief Rotation about the axis, radians, as written: any value is taken and normalised later. */
+        double theta{0.0};
+        std::string origin;
+    };
+
+    /** \brief `volume.min.*` and `volume.max.*`. */
+    struct ConfigVolume
+    {
+        double min[3]{0.0, 0.0, 0.0};
+        double max[3]{0.0, 0.0, 0.0};
+        std::string origin;
+    };
+
+    /** \brief The section [problem]. */
+    struct ProblemConfig
+    {
+        std::string name;
+        std::string nameOrigin;
+        /** \brief A mesh, a scene or an OctoMap; without it the robot moves in an empty world. */
+        std::optional<ConfigEntry> world;
+        /** \brief A mesh or scene file, or one of `point`, `disc`, `sphere` (the last two need robot.radius). */
+        ConfigEntry robot;
+        /** \brief Radius of a `disc` or `sphere` robot, world units. */
+        double robotRadius{0.0};
+        StateSpaceKind space{StateSpaceKind::SE2};
+        /** \brief Turning radius of Dubins and Reeds-Shepp spaces, world units. */
+        double turningRadius{1.0};
+        /** \brief Weight of the rotation in the distance of SE2 and SE3; OMPL's own (0.5 and 1) when it is not set. */
+        std::optional<double> rotationWeight;
+        ConfigPose start;
+        ConfigPose goal;
+        /** \brief Distance at which a state counts as the goal. */
+        double threshold{1e-6};
+        /** \brief Absent when not all of its keys are given: then the world's box is used. */
+        std::optional<ConfigVolume> volume;
+        /** \brief `length`, `max_min_clearance`, `mechanical_work` or `weighted`. */
+        ConfigEntry objective{"objective", "length", ""};
+        /** \brief Cost at which an optimizing planner may stop; the best possible cost when it is not set. */
+        std::optional<double> objectiveThreshold;
+        /** \brief objective.weight.NAME, in the order written; not empty exactly when the objective is `weighted`. */
+        std::vector<std::pair<std::string, double>> objectiveWeights;
+        MotionValidation motionValidation{MotionValidation::DISCRETE};
+        /** \brief Whether a body wholly inside a closed mesh collides. */
+        bool solidMeshes{false};
+        /** \brief Context of the space information for all planners: `sampler`, `longest_valid_segment_fraction`... */
+        std::vector<ConfigEntry> context;
+    };
+
+    enum class SavePaths
+    {
+        NONE,
+        ALL,
+        SHORTEST
+    };
+
+    /** \brief The section [benchmark]. */
+    struct CampaignConfig
+    {
+        /** \brief Seconds a run. */
+        double timeLimit{5.0};
+        /** \brief Megabytes a run. */
+        double memoryLimit{4096.0};
+        unsigned int runCount{100};
+        /** \brief Folder of the log, as written; empty: beside the config. */
+        std::string output;
+        std::string outputOrigin;
+        SavePaths savePaths{SavePaths::NONE};
+        bool simplify{true};
+        /** \brief Seed of the whole campaign, above 0. */
+        std::uint_fast32_t seed{1};
+        /** \brief Seconds between two samples of the progress properties. */
+        double progressInterval{0.01};
+    };
+
+    /** \brief One planner instance of the section [planner]. */
+    struct PlannerSpec
+    {
+        /** \brief The name under which the planner factory knows it, in lower case. */
+        std::string type;
+        /** \brief The name in logs, unique in its file; empty: the planner's own name. */
+        std::string name;
+        std::string origin;
+        std::vector<ConfigEntry> parameters;
+        /** \brief Overrides of the problem's context for this planner alone. */
+        std::vector<ConfigEntry> context;
+    };
+
+    /** \brief A benchmark config as `ompl_benchmark` of OMPL.app reads it, with the extensions of docs/configs.md. */
+    struct BenchmarkConfig
+    {
+        std::filesystem::path file;
+        ProblemConfig problem;
+        CampaignConfig benchmark;
+        /** \brief In the order of the file. */
+        std::vector<PlannerSpec> planners;
+    };
+
+    /** \brief Reads \e file. Throws InputError, naming file, line, key, value and what is accepted, at anything that
+        cannot be read or is not known; planner parameters are checked by createPlanner(). */
+    BenchmarkConfig readBenchmarkConfig(const std::filesystem::path &file);
+
+    /** \brief As readBenchmarkConfig(), from a stream; \e file names it in messages, and files are sought beside it. */
+    BenchmarkConfig parseBenchmarkConfig(std::istream &in, const std::filesystem::path &file);
+
+    /** \brief The path of a file named in a config: as given, beside the config, then in the folder that the
+        environment variable OMPL_MFA_RESOURCE_DIR names. Throws InputError listing these places when it is in none. */
+    std::filesystem::path findResource(const BenchmarkConfig &config, const ConfigEntry &entry);
+}  // namespace ompl_mfa
+
+#endif

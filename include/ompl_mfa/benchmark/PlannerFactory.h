@@ -1,0 +1,45 @@
+#ifndef OMPL_MFA_BENCHMARK_PLANNER_FACTORY_
+#define OMPL_MFA_BENCHMARK_PLANNER_FACTORY_
+
+#include <string>
+#include <vector>
+
+#include <ompl/base/Planner.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include "ompl_mfa/benchmark/ConfigFile.h"
+
+namespace ompl_mfa
+{
+    /** \brief A parameter that a planner declares. */
+    struct PlannerParameter
+    {
+        std::string name;
+        /** \brief `bool`, `integer`, `unsigned`, `real` or `text`. */
+        std::string type;
+        /** \brief As OMPL writes ranges, "first:step:last" or "a,b,c"; empty when the planner suggests none. */
+        std::string range;
+        std::string defaultValue;
+    };
+
+    /** \brief Names of every geometric planner of the linked OMPL and of this project, sorted; aliases included. */
+    std::vector<std::string> plannerNames();
+
+    bool isKnownPlanner(const std::string &type);
+
+    /** \brief The parameters of planner \e type with ranges and defaults. Makes a planner, and with it random number
+        generators: a seed is to be set before. */
+    std::vector<PlannerParameter> plannerParameters(const std::string &type);
+
+    /** \brief Makes the planner of \e spec, named and with its parameters set, on \e si.
+
+        Makes random number generators: a seed is to be set before. Throws InputError, naming origin, key, value and
+        what is accepted, for an unknown planner or parameter (with the nearest known name), for a value that is not of
+        the parameter's type or out of its range, and for a planner that cannot work in the space of \e si. */
+    ompl::base::PlannerPtr createPlanner(const ompl::base::SpaceInformationPtr &si, const PlannerSpec &spec);
+
+    /** \brief The entry of \e known with the least edit distance to \e name; empty when none is near. */
+    std::string nearestName(const std::string &name, const std::vector<std::string> &known);
+}  // namespace ompl_mfa
+
+#endif
