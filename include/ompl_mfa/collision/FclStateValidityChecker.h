@@ -1,0 +1,56 @@
+#ifndef OMPL_MFA_COLLISION_FCL_STATE_VALIDITY_CHECKER_
+#define OMPL_MFA_COLLISION_FCL_STATE_VALIDITY_CHECKER_
+
+#include <memory>
+#include <vector>
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/StateValidityChecker.h>
+
+#include "ompl_mfa/collision/CollisionQuery.h"
+#include "ompl_mfa/collision/StatePlacement.h"
+
+namespace ompl_mfa::collision
+{
+    /** \brief A state is valid where it is within the bounds of the space, no body touches an obstacle, and no two
+        bodies touch.
+
+        Const functions are safe to call from several threads and allocate nothing after a thread's first call. */
+    class FclStateValidityChecker : public ompl::base::StateValidityChecker
+    {
+    public:
+        /** \param si of R^2, R^3, SE(2), SE(3) or a compound of these (see StatePlacement)
+            \param scene the obstacles; may be empty, must not be null
+            \param bodies one for each body that the space places
+            \throw InputError where the space cannot place the bodies, or places another number of them. */
+        FclStateValidityChecker(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const Scene> scene,
+                                std::vector<RigidBody> bodies);
+
+        /** \brief For a single body. */
+        FclStateValidityChecker(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const Scene> scene,
+                                RigidBody body);
+
+        bool isValid(const ompl::base::State *state) const override;
+
+        /** \brief The smallest distance between a body and an obstacle or between two bodies, in the units of the
+            world; 0 where they touch or overlap, infinity where there is nothing to hit. The bounds of the space
+            do not count. */
+        double clearance(const ompl::base::State *state) const override;
+
+        const StatePlacement &placement() const
+        {
+            return placement_;
+        }
+
+        const CollisionQuery &query() const
+        {
+            return query_;
+        }
+
+    private:
+        StatePlacement placement_;
+        CollisionQuery query_;
+    };
+}  // namespace ompl_mfa::collision
+
+#endif

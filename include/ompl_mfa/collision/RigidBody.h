@@ -1,0 +1,60 @@
+#ifndef OMPL_MFA_COLLISION_RIGID_BODY_
+#define OMPL_MFA_COLLISION_RIGID_BODY_
+
+#include <memory>
+#include <vector>
+
+#include <fcl/geometry/collision_geometry.h>
+
+namespace ompl_mfa::collision
+{
+    /** \brief A body that a state places: one or several shapes, fixed to each other.
+
+        The origin of the body's frame is its reference point, which a state moves and about which it rotates. */
+    class RigidBody
+    {
+    public:
+        /** \brief A shape and where it sits in the frame of the body. */
+        struct Shape
+        {
+            std::shared_ptr<fcl::CollisionGeometryd> geometry;
+            fcl::Transform3d pose{fcl::Transform3d::Identity()};
+        };
+
+        /** \throw std::invalid_argument where there is no shape, or a shape without geometry. */
+        explicit RigidBody(std::vector<Shape> shapes);
+
+        /** \brief A ball, or in the plane a disc, about the reference point; radius 0 is a point.
+            \throw std::invalid_argument where the radius is negative or not finite. */
+        static RigidBody sphere(double radius);
+
+        /** \brief A box centred at the reference point, with its sides along the axes of the body.
+            \throw std::invalid_argument where a length is not positive and finite. */
+        static RigidBody box(double lengthX, double lengthY, double lengthZ);
+
+        const std::vector<Shape> &shapes() const
+        {
+            return shapes_;
+        }
+
+        /** \brief Radius of the smallest ball about the reference point that holds the body. */
+        double radius() const
+        {
+            return radius_;
+        }
+
+        /** \brief Radius of the smallest upright cylinder about the reference point that holds the body: what a
+            rotation about z can displace. */
+        double planarRadius() const
+        {
+            return planarRadius_;
+        }
+
+    private:
+        std::vector<Shape> shapes_;
+        double radius_{0.};
+        double planarRadius_{0.};
+    };
+}  // namespace ompl_mfa::collision
+
+#endif

@@ -1,0 +1,71 @@
+#ifndef OMPL_MFA_COLLISION_STATE_PLACEMENT_
+#define OMPL_MFA_COLLISION_STATE_PLACEMENT_
+
+#include <vector>
+
+#include <fcl/common/types.h>
+#include <ompl/base/StateSpace.h>
+
+namespace ompl_mfa::collision
+{
+    /** \brief Where a state puts each body in the world, decided once from the state space.
+
+        - R^2: at (x, y, 0), not rotated. R^3: at (x, y, z), not rotated.
+        - SE(2), and its Dubins and Reeds-Shepp relatives: at (x, y, 0), rotated by theta about z.
+        - SE(3): as the state says.
+        - A compound space of these, nested or not: one body for each of them, in their order.
+
+        Const functions are safe to call from several threads. */
+    class StatePlacement
+    {
+    public:
+        /** \throw InputError naming the space (or its component) that cannot place a body, and those that can. */
+        explicit StatePlacement(const ompl::base::StateSpacePtr &space);
+
+        /** \brief How many bodies a state places. At least 1. */
+        std::size_t bodyCount() const
+        {
+            return components_.size();
+        }
+
+        /** \brief Pose of body `body` < bodyCount(). */
+        void place(const ompl::base::State *state, std::size_t body, fcl::Transform3d &pose) const;
+
+        /** \brief Whether the space interpolates straight: positions on a segment and orientations along the shortest
+            rotation, both at constant speed. True for all but Dubins and Reeds-Shepp spaces. */
+        bool interpolatesStraight() const
+        {
+            return straight_;
+        }
+
+        /** \brief Whether a state only rotates bodies about z. */
+        bool isPlanar(std::size_t body) const
+        {
+            return components_[body].kind != Kind::SE3;
+        }
+
+    private:
+        enum class Kind
+        {
+            R2,
+            R3,
+            SE2,
+            SE3
+        };
+
+        struct Component
+        {
+            Kind kind;
+
+            // From the whole state down to the one that places the body.
+            std::vector<unsigned int> path;
+        };
+
+        void collect(const ompl::base::StateSpacePtr &space, std::vector<unsigned int> &path);
+
+        std::vector<Component> components_;
+        bool straight_{true};
+    };
+}  // namespace ompl_mfa::collision
+
+#endif
