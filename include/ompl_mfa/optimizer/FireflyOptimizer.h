@@ -1,36 +1,89 @@
 #ifndef OMPL_MFA_OPTIMIZER_FIREFLY_OPTIMIZER_
 #define OMPL_MFA_OPTIMIZER_FIREFLY_OPTIMIZER_
 
+#include <array>
 #include <cstdint>
 #include <functional>
-#include <random>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "ompl_mfa/optimizer/ObjectiveFunction.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
 
 namespace ompl_mfa
 {
-    /** \brief The firefly algorithm (FA) and the Modified Firefly Algorithm (MFA) over a box in R^d. */
+    /** \brief The firefly algorithm (FA) and the Modified Firefly Algorithm (MFA) over a box in R^d.
+
+        A population of N fireflies, each a point of the box, is improved generation by generation. In a generation
+        every firefly but the brightest makes one move toward each brighter firefly in turn, from dim to bright, and is
+        then evaluated once; brighter fireflies attract from where they were when the generation began. MFA then
+        offers every firefly five trial vectors, each of which replaces it if brighter, and shrinks the random step and
+        the attraction over an epoch of \e generations generations. A coordinate that leaves the box is set to the
+        nearest bound. The best point ever evaluated is kept apart from the population.
+
+        The equation numbers are those of Improved Path Planning for Mobile Robot Based on Firefly Algorithm;
+        docs/algorithm.md lists how each is read. */
     class FireflyOptimizer
     {
     public:
         enum class Variant
         {
-            FA,  ///< eqs. (1)-(5); alpha and beta0 constant, one evaluation a firefly and generation
+            FA,  ///< eqs. (1)-(5); alpha and beta0 constant, at most one evaluation a firefly and generation
             MFA  ///< adds the trial vectors of eqs. (6)-(12) and the schedules of eqs. (13)-(16)
         };
+
+        /** \brief How the random step alpha changes with the generation t of an epoch of M generations. */
+        enum class AlphaSchedule
+        {
+            Constant,   ///< alpha
+            Geometric,  ///< eq. (13): alpha (1 / (2 M))^(t / M)
+            Yang,       ///< Yang's reference program: alpha (10^-4 / 0.9)^(t / M)
+            Linear      ///< alpha (1 - t / M)
+        };
+
+        /** \brief How the attraction beta0 changes with the generation t of an epoch of M generations. */
+        enum class BetaSchedule
+        {
+            Constant,   ///< eta
+            Decreasing  ///< eq. (14): eta - t / M, never below 0
+        };
+
+        /** \brief The number of trial vectors of eqs. (8) to (12), in that order. */
+        static constexpr unsigned int TRIAL_VECTORS = 5;
 
         struct Settings
         {
             Variant variant{Variant::MFA};
+
+            /** \brief N: at least 1, for MFA at least 4. */
             unsigned int populationSize{100};
-            /** \brief Mmax: the generations of one epoch, over which alpha and beta0 shrink. */
+
+            /** \brief Mmax: the generations of one epoch, over which alpha and beta0 shrink; at least 1. */
             unsigned int generations{50};
+
+            /** \brief Light absorption, at least 0. It acts on the distance of two fireflies with every coordinate
+                divided by its range, so that it means the same on every box. */
             double gamma{0.5};
+
+            /** \brief The random step in parts of a coordinate's range, in [0, 1], at the beginning of an epoch. */
             double alpha{0.2};
+
+            /** \brief Attraction at distance 0, in [0, 2], at the beginning of an epoch. */
             double eta{1.0};
+
+            /** \brief What remains of the attraction at any distance, in [0, 2]; 0.2 in Yang's reference program. */
+            double betaMin{0.0};
+
+            /** \brief Unset: constant for FA, geometric for MFA. */
+            std::optional<AlphaSchedule> alphaSchedule{};
+
+            /** \brief Unset: constant for FA, decreasing for MFA. */
+            std::optional<BetaSchedule> betaSchedule{};
+
+            /** \brief Which trial vectors MFA uses, eqs. (8) to (12) in that order. */
+            std::array<bool, TRIAL_VECTORS> trialVectors{{true, true, true, true, true}};
 
             /** \brief Throws std::invalid_argument naming the setting, its value and the accepted range. */
             void validate() const;
@@ -38,13 +91,173 @@ namespace ompl_mfa
 
         using StopCondition = std::function<bool()>;
 
+        /** \brief Places N fireflies uniformly at random in the box [\e lower, \e upper], each d x 1 with d >= 1; a
+            coordinate may have range 0. The same seed gives the same run, bit for bit. Throws std::invalid_argument
+            for invalid settings or bounds. */
         FireflyOptimizer(const Settings &settings, const Eigen::VectorXd &lower, const Eigen::VectorXd &upper,
                          std::uint_fast64_t seed);
 
-        /** \brief Runs to the end of the current generation; the first generation is the evaluation of the initial
-            population. \e stop is asked before every evaluation; when it is true, step returns false, and the next
-            call goes on at that evaluation. */
+        /** \brief Runs to the end of the current generation and returns true; the first generation is the evaluation
+            of the initial population. \e stop is asked before every evaluation; when it is true, step returns false,
+            and the next call goes on at that evaluation as if it had not been interrupted. Allocates nothing. */
         bool step(ObjectiveFunction &objective, const StopCondition &stop);
+
+        /** \brief Puts \e x (d x 1, clamped to the box) into the initial population, unevaluated, in place of a random
+            member. Throws std::logic_error once the first step was made or when all N members were put in. */
+        void inject(const Eigen::Ref<const Eigen::VectorXd> &x);
+
+        /** \brief Replaces the dimmest firefly by \e x (d x 1, clamped to the box) of the given brightness, which
+            becomes the best if brighter. Throws std::logic_error before the initial population was evaluated. */
+        void inject(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness &brightness,
+                    const ObjectiveFunction &objective);
+
+        /** \brief alpha and beta0 start anew with the next generation; population and best stay. Happens by itself
+            after \e generations generations. */
+        void restartEpoch();
+
+        const Settings &settings() const
+        {
+            return settings_;
+        }
+
+        const Eigen::VectorXd &lower() const
+        {
+            return lower_;
+        }
+
+        const Eigen::VectorXd &upper() const
+        {
+            return upper_;
+        }
+
+        /** \brief d x N, one column a firefly. */
+        const Eigen::MatrixXd &population() const
+        {
+            return population_;
+        }
+
+        /** \brief The brightness of column \e i of population(); infinitely dim before its first evaluation. */
+        const Brightness &brightness(unsigned int i) const
+        {
+            return brightness_[i];
+        }
+
+        /** \brief The column of population() that was the brightest when the current or last generation began its
+            moves or, between two generations, that is the brightest now. */
+        unsigned int brightestIndex() const
+        {
+            return order_.front();
+        }
+
+        /** \brief The columns of population(), brightest first, as of the same moment as brightestIndex(). */
+        const std::vector<unsigned int> &order() const
+        {
+            return order_;
+        }
+
+        /** \brief The brightest point ever evaluated or injected, d x 1; the first column of population() before. */
+        const Eigen::VectorXd &best() const
+        {
+            return best_;
+        }
+
+        const Brightness &bestBrightness() const
+        {
+            return bestBrightness_;
+        }
+
+        /** \brief Completed generations, not counting the evaluation of the initial population. */
+        unsigned int generation() const
+        {
+            return generation_;
+        }
+
+        /** \brief Calls of ObjectiveFunction::evaluate. */
+        std::uint64_t evaluations() const
+        {
+            return evaluations_;
+        }
+
+        /** \brief The random step of the next generation, in parts of a coordinate's range; eq. (13). After the last
+            generation of an epoch this is where the schedule ended. */
+        double alpha() const;
+
+        /** \brief The attraction at distance 0 of the next generation; eq. (14). */
+        double beta0() const;
+
+    private:
+        enum class Phase
+        {
+            Initial,  ///< evaluating the initial population
+            Between,  ///< between two generations
+            Moves,    ///< evaluating the moved fireflies
+            Trials    ///< evaluating trial vectors
+        };
+
+        bool evaluateInitial(ObjectiveFunction &objective, const StopCondition &stop);
+        bool evaluateMoves(ObjectiveFunction &objective, const StopCondition &stop);
+        bool evaluateTrials(ObjectiveFunction &objective, const StopCondition &stop);
+
+        void beginGeneration();
+        void endGeneration(const ObjectiveFunction &objective);
+
+        /** \brief Eqs. (4), (5), (16): moves firefly order_[rank] toward every brighter one, into moved_. */
+        void move(unsigned int rank);
+
+        /** \brief Eqs. (6)-(12): fills trials_ for firefly \e i. */
+        void makeTrials(unsigned int i);
+
+        /** \brief Draws n1..n4, pairwise distinct. */
+        std::array<unsigned int, 4> drawDistinct();
+
+        void sortByBrightness(const ObjectiveFunction &objective);
+        Brightness evaluate(ObjectiveFunction &objective, const Eigen::Ref<const Eigen::VectorXd> &x,
+                            const Brightness *rival);
+        void place(unsigned int i, const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness &brightness,
+                   const ObjectiveFunction &objective);
+        AlphaSchedule alphaSchedule() const;
+        BetaSchedule betaSchedule() const;
+
+        Settings settings_;
+        Eigen::VectorXd lower_;
+        Eigen::VectorXd upper_;
+        Eigen::VectorXd range_;
+
+        /** \brief 1 / range, 0 where the range is 0: the length scale of gamma. */
+        Eigen::VectorXd inverseRange_;
+        RandomSource random_;
+
+        Eigen::MatrixXd population_;
+        std::vector<Brightness> brightness_;
+        std::vector<unsigned int> order_;
+
+        /** \brief How many at the front of order_ share the greatest brightness. */
+        unsigned int brightestCount_{1};
+        Eigen::VectorXd best_;
+        Brightness bestBrightness_;
+
+        /** \brief d x N: where the fireflies go in this generation. */
+        Eigen::MatrixXd moved_;
+
+        /** \brief Which fireflies have yet to be evaluated at moved_. */
+        std::vector<bool> moves_;
+
+        /** \brief d x 5: the trial vectors of eqs. (8)-(12) for firefly cursor_. */
+        Eigen::MatrixXd trials_;
+        Eigen::VectorXd new1_;
+        Eigen::VectorXd new2_;
+
+        Phase phase_{Phase::Initial};
+
+        /** \brief The firefly, and its trial vector, that is evaluated next. */
+        unsigned int cursor_{0};
+        unsigned int trial_{0};
+        bool trialsMade_{false};
+
+        unsigned int injected_{0};
+        unsigned int generation_{0};
+        unsigned int epochGeneration_{0};
+        std::uint64_t evaluations_{0};
     };
 }  // namespace ompl_mfa
 

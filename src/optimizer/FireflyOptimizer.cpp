@@ -1,0 +1,369 @@
+#include "ompl_mfa/optimizer/FireflyOptimizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+    [[noreturn]] void refuse(const char *setting, double value, const std::string &accepted)
+    {
+        std::ostringstream message;
+        message << "FireflyOptimizer: " << setting << " = " << value << " is not accepted; it must be " << accepted;
+        throw std::invalid_argument(message.str());
+    }
+
+    void requireInterval(const char *setting, double value, double lower, double upper)
+    {
+        if (value >= lower && value <= upper)
+            return;
+        std::ostringstream accepted;
+        if (upper == std::numeric_limits<double>::max())
+            accepted << "finite and at least " << lower;
+        else
+            accepted << "in [" << lower << ", " << upper << "]";
+        refuse(setting, value, accepted.str());
+    }
+
+    void validateBox(const Eigen::VectorXd &lower, const Eigen::VectorXd &upper)
+    {
+        if (lower.size() == 0 || lower.size() != upper.size())
+        {
+            throw std::invalid_argument("FireflyOptimizer: bounds of " + std::to_string(lower.size()) + " and " +
+                                        std::to_string(upper.size()) +
+                                        " coordinates are not accepted; both must have the same number, at least 1");
+        }
+        for (Eigen::Index k = 0; k < lower.size(); ++k)
+        {
+            if (!std::isfinite(lower[k]))
+                refuse(("lower[" + std::to_string(k) + "]").c_str(), lower[k], "finite");
+            if (!std::isfinite(upper[k] - lower[k]) || upper[k] < lower[k])
+                refuse(("upper[" + std::to_string(k) + "]").c_str(), upper[k], "finite and at least the lower bound");
+        }
+    }
+}  // namespace
+
+void ompl_mfa::FireflyOptimizer::Settings::validate() const
+{
+    const unsigned int smallest = variant == Variant::MFA ? 4 : 1;
+    if (populationSize < smallest)
+        refuse("populationSize", populationSize, "at least " + std::to_string(smallest));
+    if (generations < 1)
+        refuse("generations", generations, "at least 1");
+    requireInterval("gamma", gamma, 0.0, std::numeric_limits<double>::max());
+    requireInterval("alpha", alpha, 0.0, 1.0);
+    requireInterval("eta", eta, 0.0, 2.0);
+    requireInterval("betaMin", betaMin, 0.0, 2.0);
+}
+
+ompl_mfa::FireflyOptimizer::FireflyOptimizer(const Settings &settings, const Eigen::VectorXd &lower,
+                                             const Eigen::VectorXd &upper, std::uint_fast64_t seed)
+  : settings_(settings)
+  , lower_(lower)
+  , upper_(upper)
+  , random_(seed)
+{
+    settings_.validate();
+    validateBox(lower_, upper_);
+
+    const Eigen::Index dimension = lower_.size();
+    const unsigned int size = settings_.populationSize;
+    range_ = upper_ - lower_;
+    inverseRange_ = (range_.array() > 0.0).select(range_.cwiseInverse(), 0.0);
+    population_.resize(dimension, size);
+    for (unsigned int i = 0; i < size; ++i)
+    {
+        for (Eigen::Index k = 0; k < dimension; ++k)
+            population_(k, i) = std::min(lower_[k] + range_[k] * random_.uniform(), upper_[k]);
+    }
+    brightness_.resize(size);
+    order_.resize(size);
+    std::iota(order_.begin(), order_.end(), 0U);
+    best_ = population_.col(0);
+    moved_ = population_;
+    moves_.resize(size);
+    trials_.resize(dimension, TRIAL_VECTORS);
+    new1_.resize(dimension);
+    new2_.resize(dimension);
+}
+
+bool ompl_mfa::FireflyOptimizer::step(ObjectiveFunction &objective, const StopCondition &stop)
+{
+    if (phase_ == Phase::Initial)
+        return evaluateInitial(objective, stop);
+    if (phase_ == Phase::Between)
+        beginGeneration();
+    if (phase_ == Phase::Moves && !evaluateMoves(objective, stop))
+        return false;
+    if (phase_ == Phase::Trials && !evaluateTrials(objective, stop))
+        return false;
+    endGeneration(objective);
+    return true;
+}
+
+void ompl_mfa::FireflyOptimizer::inject(const Eigen::Ref<const Eigen::VectorXd> &x)
+{
+    if (phase_ != Phase::Initial || cursor_ > 0)
+        throw std::logic_error("FireflyOptimizer: an unevaluated point can only be injected before the first step");
+    if (injected_ == settings_.populationSize)
+        throw std::logic_error("FireflyOptimizer: every member of the initial population was injected already");
+    population_.col(injected_++) = x.cwiseMax(lower_).cwiseMin(upper_);
+    best_ = population_.col(0);
+}
+
+void ompl_mfa::FireflyOptimizer::inject(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness &brightness,
+                                        const ObjectiveFunction &objective)
+{
+    if (phase_ == Phase::Initial)
+        throw std::logic_error("FireflyOptimizer: the initial population has not been evaluated yet");
+    unsigned int dimmest = 0;
+    for (unsigned int i = 1; i < settings_.populationSize; ++i)
+    {
+        if (objective.isBrighter(brightness_[dimmest], brightness_[i]))
+            dimmest = i;
+    }
+    moved_.col(dimmest) = x.cwiseMax(lower_).cwiseMin(upper_);
+    place(dimmest, moved_.col(dimmest), brightness, objective);
+    moves_[dimmest] = false;
+    if (phase_ == Phase::Between)
+        sortByBrightness(objective);
+}
+
+void ompl_mfa::FireflyOptimizer::restartEpoch()
+{
+    epochGeneration_ = 0;
+}
+
+// Eq. (13): alpha_{t+1} = (1 / (2 Mmax))^(1 / Mmax) alpha_t, in closed form.
+double ompl_mfa::FireflyOptimizer::alpha() const
+{
+    const double progress = static_cast<double>(epochGeneration_) / settings_.generations;
+    switch (alphaSchedule())
+    {
+        case AlphaSchedule::Constant:
+            return settings_.alpha;
+        case AlphaSchedule::Geometric:
+            return settings_.alpha * std::pow(1.0 / (2.0 * settings_.generations), progress);
+        case AlphaSchedule::Yang:
+            return settings_.alpha * std::pow(1e-4 / 0.9, progress);
+        case AlphaSchedule::Linear:
+            return settings_.alpha * (1.0 - progress);
+    }
+    return settings_.alpha;
+}
+
+// Eq. (14): beta0(t) = eta - t / MaxIter. It stays at 0 for eta < 1 rather than turn attraction into repulsion.
+double ompl_mfa::FireflyOptimizer::beta0() const
+{
+    if (betaSchedule() == BetaSchedule::Constant)
+        return settings_.eta;
+    return std::max(0.0, settings_.eta - static_cast<double>(epochGeneration_) / settings_.generations);
+}
+
+bool ompl_mfa::FireflyOptimizer::evaluateInitial(ObjectiveFunction &objective, const StopCondition &stop)
+{
+    for (; cursor_ < settings_.populationSize; ++cursor_)
+    {
+        if (stop())
+            return false;
+        place(cursor_, population_.col(cursor_), evaluate(objective, population_.col(cursor_), nullptr), objective);
+    }
+    sortByBrightness(objective);
+    phase_ = Phase::Between;
+    return true;
+}
+
+void ompl_mfa::FireflyOptimizer::beginGeneration()
+{
+    if (epochGeneration_ == settings_.generations)
+        restartEpoch();
+    // The brightest has nothing to move toward; whoever is as bright moves at random (rule 2 of the paper).
+    std::fill(moves_.begin(), moves_.end(), true);
+    moves_[order_.front()] = false;
+    for (unsigned int rank = 1; rank < settings_.populationSize; ++rank)
+        move(rank);
+    cursor_ = 0;
+    phase_ = Phase::Moves;
+}
+
+void ompl_mfa::FireflyOptimizer::move(unsigned int rank)
+{
+    auto x = moved_.col(order_[rank]);
+    x = population_.col(order_[rank]);
+    const double beta0Now = beta0();
+    const double alphaNow = alpha();
+    const auto randomStep = [&]
+    {
+        for (Eigen::Index k = 0; k < x.size(); ++k)
+            x[k] += alphaNow * range_[k] * (random_.uniform() - 0.5);
+        x = x.cwiseMax(lower_).cwiseMin(upper_);
+    };
+    if (rank < brightestCount_)
+    {
+        randomStep();
+        return;
+    }
+    for (unsigned int brighter = rank; brighter-- > 0;)
+    {
+        const auto target = population_.col(order_[brighter]);
+        // Eq. (3), squared, in coordinates scaled by their ranges.
+        const double squaredDistance = ((x - target).cwiseProduct(inverseRange_)).squaredNorm();
+        // Eqs. (4) and (15).
+        const double absorbed = std::exp(-settings_.gamma * squaredDistance);
+        const double beta = settings_.betaMin + (beta0Now - settings_.betaMin) * absorbed;
+        // Eqs. (5) and (16).
+        x += beta * (target - x);
+        randomStep();
+    }
+}
+
+bool ompl_mfa::FireflyOptimizer::evaluateMoves(ObjectiveFunction &objective, const StopCondition &stop)
+{
+    for (; cursor_ < settings_.populationSize; ++cursor_)
+    {
+        if (!moves_[cursor_])
+            continue;
+        if (stop())
+            return false;
+        place(cursor_, moved_.col(cursor_), evaluate(objective, moved_.col(cursor_), nullptr), objective);
+    }
+    cursor_ = 0;
+    trial_ = 0;
+    trialsMade_ = false;
+    phase_ = Phase::Trials;
+    sortByBrightness(objective);
+    return true;
+}
+
+bool ompl_mfa::FireflyOptimizer::evaluateTrials(ObjectiveFunction &objective, const StopCondition &stop)
+{
+    if (settings_.variant == Variant::FA)
+        return true;
+    for (; cursor_ < settings_.populationSize; ++cursor_, trial_ = 0, trialsMade_ = false)
+    {
+        if (!trialsMade_)
+            makeTrials(cursor_);
+        trialsMade_ = true;
+        for (; trial_ < TRIAL_VECTORS; ++trial_)
+        {
+            const auto candidate = trials_.col(trial_);
+            // A crossover that took every component from F_i is no trial.
+            if (!settings_.trialVectors[trial_] || candidate == population_.col(cursor_))
+                continue;
+            if (stop())
+                return false;
+            const Brightness rival = brightness_[cursor_];
+            const Brightness brightness = evaluate(objective, candidate, &rival);
+            if (objective.isBrighter(brightness, rival))
+                place(cursor_, candidate, brightness, objective);
+        }
+    }
+    return true;
+}
+
+void ompl_mfa::FireflyOptimizer::makeTrials(unsigned int i)
+{
+    const auto n = drawDistinct();
+    const auto worst = population_.col(order_.back());
+    const auto firefly = population_.col(i);
+
+    // Eq. (6); the two lambda are drawn separately, or the sum would telescope.
+    const double lambda1 = random_.uniform();
+    const double lambda2 = random_.uniform();
+    new1_ = population_.col(n[0]) + lambda1 * (population_.col(n[1]) - population_.col(n[2])) +
+            lambda2 * (population_.col(n[2]) - population_.col(n[3]));
+    // Eq. (7).
+    new2_ = new1_ + random_.uniform() * (best_ - worst);
+    for (Eigen::Index j = 0; j < new1_.size(); ++j)
+    {
+        const double k1 = random_.uniform();
+        const double k2 = random_.uniform();
+        const double k3 = random_.uniform();
+        const double k4 = random_.uniform();
+        trials_(j, 0) = k1 <= k2 ? new1_[j] : best_[j];    // Eq. (8).
+        trials_(j, 1) = k3 <= k2 ? new1_[j] : firefly[j];  // Eq. (9).
+        trials_(j, 2) = k4 <= k3 ? new2_[j] : firefly[j];  // Eq. (10).
+    }
+    // Eq. (11).
+    trials_.col(3) = new2_;
+    // Eq. (12).
+    const double delta = random_.uniform();
+    const double psi = random_.uniform();
+    trials_.col(4) = delta * worst + psi * (best_ - worst);
+    for (unsigned int trial = 0; trial < TRIAL_VECTORS; ++trial)
+        trials_.col(trial) = trials_.col(trial).cwiseMax(lower_).cwiseMin(upper_);
+}
+
+std::array<unsigned int, 4> ompl_mfa::FireflyOptimizer::drawDistinct()
+{
+    std::array<unsigned int, 4> n{};
+    for (unsigned int drawn = 0; drawn < n.size(); ++drawn)
+    {
+        do
+            n[drawn] = random_.index(settings_.populationSize);
+        while (std::find(n.begin(), n.begin() + drawn, n[drawn]) != n.begin() + drawn);
+    }
+    return n;
+}
+
+void ompl_mfa::FireflyOptimizer::endGeneration(const ObjectiveFunction &objective)
+{
+    if (settings_.variant == Variant::MFA)
+        sortByBrightness(objective);
+    ++generation_;
+    ++epochGeneration_;
+    phase_ = Phase::Between;
+}
+
+void ompl_mfa::FireflyOptimizer::sortByBrightness(const ObjectiveFunction &objective)
+{
+    std::sort(order_.begin(), order_.end(),
+              [&](unsigned int a, unsigned int b)
+              {
+                  if (objective.isBrighter(brightness_[a], brightness_[b]))
+                      return true;
+                  return a < b && !objective.isBrighter(brightness_[b], brightness_[a]);
+              });
+    brightestCount_ = 1;
+    while (brightestCount_ < order_.size() &&
+           !objective.isBrighter(brightness_[order_.front()], brightness_[order_[brightestCount_]]))
+        ++brightestCount_;
+}
+
+ompl_mfa::Brightness ompl_mfa::FireflyOptimizer::evaluate(ObjectiveFunction &objective,
+                                                          const Eigen::Ref<const Eigen::VectorXd> &x,
+                                                          const Brightness *rival)
+{
+    ++evaluations_;
+    const Brightness brightness = objective.evaluate(x, rival);
+    // A NaN would break the order.
+    return std::isnan(brightness.violation) || std::isnan(brightness.cost) ? Brightness() : brightness;
+}
+
+void ompl_mfa::FireflyOptimizer::place(unsigned int i, const Eigen::Ref<const Eigen::VectorXd> &x,
+                                       const Brightness &brightness, const ObjectiveFunction &objective)
+{
+    population_.col(i) = x;
+    brightness_[i] = brightness;
+    if (objective.isBrighter(brightness, bestBrightness_))
+    {
+        best_ = x;
+        bestBrightness_ = brightness;
+    }
+}
+
+ompl_mfa::FireflyOptimizer::AlphaSchedule ompl_mfa::FireflyOptimizer::alphaSchedule() const
+{
+    const auto usual = settings_.variant == Variant::FA ? AlphaSchedule::Constant : AlphaSchedule::Geometric;
+    return settings_.alphaSchedule.value_or(usual);
+}
+
+ompl_mfa::FireflyOptimizer::BetaSchedule ompl_mfa::FireflyOptimizer::betaSchedule() const
+{
+    const auto usual = settings_.variant == Variant::FA ? BetaSchedule::Constant : BetaSchedule::Decreasing;
+    return settings_.betaSchedule.value_or(usual);
+}
