@@ -1,0 +1,73 @@
+#ifndef OMPL_MFA_BENCHMARKS_ORACLE_SHORTEST_PATH_
+#define OMPL_MFA_BENCHMARKS_ORACLE_SHORTEST_PATH_
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/StdVector>
+
+namespace ompl_mfa::oracle
+{
+    /* The exact optimum that planners in the plane are held against. Use it as
+
+           oracle::Scene scene;
+           scene.obstacles = {oracle::disc({5.0, 5.0}, 1.5), oracle::rectangle({10.0, 8.0}, {2.0, 4.0}, 0.3)};
+           scene.robotRadius = 0.3;
+           scene.lower = {0.0, 0.0};
+           scene.upper = {20.0, 20.0};
+           const oracle::ShortestPath best = oracle::shortestPath(scene, {0.3, 2.2}, {20.0, 20.0});
+
+       and link ompl_mfa_oracle. The method is a visibility graph of common tangents: every obstacle, grown by the
+       robot, is bounded by circular arcs and straight edges, and a shortest path consists of segments tangent to two
+       such arcs and of pieces of the arcs themselves (Chew, "Planning the shortest path for a disc in O(n^2 log n)
+       time", 1985). There is no discretisation: the length is exact but for rounding and a contact tolerance of 1e-8 m.
+     */
+
+    using Point = Eigen::Vector2d;
+    using Points = std::vector<Point, Eigen::aligned_allocator<Point>>;
+
+    /** \brief A convex obstacle: all points within \e radius of a convex polygon. Metres.
+
+        One vertex and a positive radius make a disc; three or more vertices, counter-clockwise and without collinear
+        triples, make a polygon. Obstacles may overlap. */
+    struct Obstacle
+    {
+        Points vertices;
+        double radius{0.0};
+    };
+
+    /** \brief A disc. Throws std::invalid_argument unless the radius is positive. */
+    Obstacle disc(const Point &centre, double radius);
+
+    /** \brief A box of the given side lengths (m), turned by \e angle (rad). Throws std::invalid_argument unless both
+        sides are positive. */
+    Obstacle rectangle(const Point &centre, const Point &size, double angle = 0.0);
+
+    struct Scene
+    {
+        std::vector<Obstacle> obstacles;
+        /** \brief Radius of the disc robot (m); 0 is a point. */
+        double robotRadius{0.0};
+        /** \brief The box that the robot's centre may not leave. */
+        Point lower{Point::Constant(-1e6)};
+        Point upper{Point::Constant(1e6)};
+    };
+
+    struct ShortestPath
+    {
+        /** \brief Exact length (m); infinite when start and goal are not connected. */
+        double length;
+        /** \brief Polyline from start to goal, empty when they are not connected. Arcs are replaced by tangent
+            polygons of at most 0.02 rad a piece: it touches obstacles without entering them, and is longer than
+            \e length by less than 4e-5 of the arcs' length. */
+        Points path;
+    };
+
+    /** \brief The shortest collision-free path of the robot's centre. Touching an obstacle or a bound is allowed.
+
+        Throws std::invalid_argument for a start or goal that is out of bounds or in collision, a negative robot radius,
+        or an obstacle that is neither a disc nor a convex counter-clockwise polygon. */
+    ShortestPath shortestPath(const Scene &scene, const Point &start, const Point &goal);
+}  // namespace ompl_mfa::oracle
+
+#endif
