@@ -6,4 +6,32 @@
 
 #include <ompl/config.h>
 
+/* Planners that only some releases have. */
+#if __has_include(<ompl/geometric/planners/informedtrees/EITstar.h>)
+#define OMPL_MFA_HAS_EITSTAR
+#endif
+#if __has_include(<ompl/geometric/planners/informedtrees/EIRMstar.h>)
+#define OMPL_MFA_HAS_EIRMSTAR
+#endif
+#if __has_include(<ompl/geometric/planners/lazyinformedtrees/BLITstar.h>)
+#define OMPL_MFA_HAS_BLITSTAR
+#endif
+#if __has_include(<ompl/geometric/planners/rrt/AORRTC.h>)
+#define OMPL_MFA_HAS_AORRTC
+#endif
+#if __has_include(<ompl/geometric/planners/rrt/AOXRRTConnect.h>)
+#define OMPL_MFA_HAS_AOXRRTCONNECT
+#endif
+#if __has_include(<ompl/geometric/planners/rrt/ATRRT.h>)
+#define OMPL_MFA_HAS_ATRRT
+#endif
+#if __has_include(<ompl/geometric/planners/rrt/TRRTstar.h>)
+#define OMPL_MFA_HAS_TRRTSTAR
+#endif
+#if __has_include(<ompl/geometric/planners/quotientspace/QRRT.h>)
+#define OMPL_MFA_HAS_QUOTIENT_SPACES
+#elif __has_include(<ompl/multilevel/planners/qrrt/QRRT.h>)
+#define OMPL_MFA_HAS_MULTILEVEL
+#endif
+
 #endif

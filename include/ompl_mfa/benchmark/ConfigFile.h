@@ -4,22 +4,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "ompl_mfa/benchmark/ConfigLines.h"
+#include "ompl_mfa/collision/FclMotionValidator.h"
 
 namespace ompl_mfa
 {
-    /** \brief One `key = value` as it was written, with the place that an error about it has to name. */
-    struct ConfigEntry
-    {
-        std::string key;
-        std::string value;
-        /** \brief "FILE:LINE", or the command line option that it came from. */
-        std::string origin;
-    };
-
     /** \brief The state space of a problem. It follows from the keys of start and goal and from `statespace`. */
     enum class StateSpaceKind
     {
@@ -30,12 +24,6 @@ namespace ompl_mfa
         DUBINS,            ///< SE2 with `statespace = dubins`
         DUBINS_SYMMETRIC,  ///< SE2 with `statespace = dubinssymmetric`
         REEDS_SHEPP        ///< SE2 with `statespace = reedsshepp`
-    };
-
-    enum class MotionValidation
-    {
-        DISCRETE,   ///< OMPL's: states at most longest_valid_segment_fraction of the space's extent apart
-        CONTINUOUS  ///< conservative advancement, which no obstacle escapes
     };
 
     /** \brief A pose in the world. Coordinates that the problem's space does not have are 0. */
@@ -62,11 +50,11 @@ namespace ompl_mfa
     /** \brief The section [problem]. */
     struct ProblemConfig
     {
+        /** \brief The file's stem when it is not given. */
         std::string name;
-        std::string nameOrigin;
         /** \brief A mesh, a scene or an OctoMap; without it the robot moves in an empty world. */
         std::optional<ConfigEntry> world;
-        /** \brief A mesh or scene file, or one of `point`, `disc`, `sphere` (the last two need robot.radius). */
+        /** \brief A mesh or scene file, or one of `point`, `disc`, `sphere` (the last two with robot.radius). */
         ConfigEntry robot;
         /** \brief Radius of a `disc` or `sphere` robot, world units. */
         double robotRadius{0.0};
@@ -81,15 +69,14 @@ namespace ompl_mfa
         double threshold{1e-6};
         /** \brief Absent when not all of its keys are given: then the world's box is used. */
         std::optional<ConfigVolume> volume;
-        /** \brief `length`, `max_min_clearance`, `mechanical_work` or `weighted`. */
-        ConfigEntry objective{"objective", "length", ""};
-        /** \brief Cost at which an optimizing planner may stop; the best possible cost when it is not set. */
+        /** \brief `length`, `max_min_clearance`, `mechanical_work` or `weighted`. Without it the problem has no
+           objective: each planner takes its own default, and those that do not optimize stop at their first path. */
+        std::optional<ConfigEntry> objective;
+        /** \brief Cost at which an optimizing planner may stop; the objective's own when it is not set. */
         std::optional<double> objectiveThreshold;
         /** \brief objective.weight.NAME, in the order written; not empty exactly when the objective is `weighted`. */
         std::vector<std::pair<std::string, double>> objectiveWeights;
-        MotionValidation motionValidation{MotionValidation::DISCRETE};
-        /** \brief Whether a body wholly inside a closed mesh collides. */
-        bool solidMeshes{false};
+        collision::MotionValidation motionValidation{collision::MotionValidation::Discrete};
         /** \brief Context of the space information for all planners: `sampler`, `longest_valid_segment_fraction`... */
         std::vector<ConfigEntry> context;
     };
@@ -125,7 +112,8 @@ namespace ompl_mfa
     {
         /** \brief The name under which the planner factory knows it, in lower case. */
         std::string type;
-        /** \brief The name in logs, unique in its file; empty: the planner's own name. */
+        /** \brief The name in logs, unique in its file: as given, or the planner's own, numbered from its second
+            instance on. */
         std::string name;
         std::string origin;
         std::vector<ConfigEntry> parameters;

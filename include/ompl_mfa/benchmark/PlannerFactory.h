@@ -25,7 +25,11 @@ namespace ompl_mfa
     /** \brief Names of every geometric planner of the linked OMPL and of this project, sorted; aliases included. */
     std::vector<std::string> plannerNames();
 
-    bool isKnownPlanner(const std::string &type);
+    /** \brief Throws InputError, beginning with \e origin, unless createPlanner() makes planners of \e type. */
+    void requireKnownPlanner(const std::string &type, const std::string &origin);
+
+    /** \brief The name that a planner of a known \e type goes by in logs, such as `RRTstar`. */
+    std::string plannerTitle(const std::string &type);
 
     /** \brief The parameters of planner \e type with ranges and defaults. Makes a planner, and with it random number
         generators: a seed is to be set before. */
@@ -37,9 +41,6 @@ namespace ompl_mfa
         what is accepted, for an unknown planner or parameter (with the nearest known name), for a value that is not of
         the parameter's type or out of its range, and for a planner that cannot work in the space of \e si. */
     ompl::base::PlannerPtr createPlanner(const ompl::base::SpaceInformationPtr &si, const PlannerSpec &spec);
-
-    /** \brief The entry of \e known with the least edit distance to \e name; empty when none is near. */
-    std::string nearestName(const std::string &name, const std::vector<std::string> &known);
 }  // namespace ompl_mfa
 
 #endif

@@ -8,40 +8,57 @@
 #include <ompl/geometric/SimpleSetup.h>
 
 #include "ompl_mfa/benchmark/ConfigFile.h"
+#include "ompl_mfa/collision/RigidBody.h"
+#include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa
 {
-    /** \brief Makes ready SimpleSetups of one config. World and robot are loaded once and shared by all of them. */
+    /** \brief Makes ready problems of one config. World and robot are loaded once and shared by all of them. */
     class ProblemFactory
     {
     public:
         /** \brief Loads world and robot. Makes no random number generator. Throws InputError for a file that is missing
-            or cannot be used. */
+            or cannot be used, and where neither the config nor a world bounds the problem. */
         explicit ProblemFactory(BenchmarkConfig config);
-        ~ProblemFactory();
 
-        ProblemFactory(const ProblemFactory &) = delete;
-        ProblemFactory &operator=(const ProblemFactory &) = delete;
+        const BenchmarkConfig &config() const
+        {
+            return config_;
+        }
 
-        const BenchmarkConfig &config() const;
+        /** \brief Empty where the config names no world. */
+        const collision::Scene &world() const
+        {
+            return *world_;
+        }
 
-        /** \brief A new, set up problem without a planner; \e plannerContext overrides the context of the config, so
-            that nothing of one planner reaches the next.
+        const collision::RigidBody &robot() const
+        {
+            return robot_;
+        }
+
+        /** \brief A new problem, set up but for its planner; \e plannerContext overrides the context of the config, so
+            that nothing of one planner reaches the next. Its validity checker is a CountingValidityChecker.
 
             Makes random number generators: setRandomSeed() comes before. Throws InputError when start or goal is out
-            of bounds or collides, or when a context key or value is not known. */
+            of bounds or collides, or when a context key or value is not accepted. */
         ompl::geometric::SimpleSetupPtr create(const std::vector<ConfigEntry> &plannerContext = {}) const;
 
-    private:
-        struct Bodies;
+        /** \brief As create() with the context of \e spec, and with its planner. */
+        ompl::geometric::SimpleSetupPtr create(const PlannerSpec &spec) const;
 
+    private:
         BenchmarkConfig config_;
-        std::unique_ptr<Bodies> bodies_;
+        std::shared_ptr<const collision::Scene> world_;
+        collision::RigidBody robot_;
     };
 
-    /** \brief Seeds OMPL. Only the call made before the first random number generator of the process makes runs
-        repeatable. Throws InputError for 0, which OMPL does not accept. */
+    /** \brief Seeds OMPL; runs repeat when this comes before the first random number generator of the process. Throws
+        InputError for 0, which OMPL does not accept. */
     void setRandomSeed(std::uint_fast32_t seed);
+
+    /** \brief States that \e setup, made by a ProblemFactory, has checked so far. */
+    std::uint_fast64_t checkedStates(const ompl::geometric::SimpleSetup &setup);
 }  // namespace ompl_mfa
 
 #endif

@@ -1,0 +1,30 @@
+#ifndef OMPL_MFA_BENCHMARK_PLANNER_TABLE_
+#define OMPL_MFA_BENCHMARK_PLANNER_TABLE_
+
+#include <map>
+#include <string>
+
+#include <ompl/base/Planner.h>
+
+namespace ompl_mfa
+{
+    /** \brief A planner as the table knows it. */
+    struct PlannerEntry
+    {
+        /** \brief The name in logs. */
+        std::string title;
+        ompl::base::PlannerAllocator allocate;
+        /** \brief It throws in setup() when the state space has no default projection. */
+        bool needsProjection{false};
+        /** \brief Declared ranges are limits, not suggestions. */
+        bool isOwn{false};
+    };
+
+    /** \brief Every planner that createPlanner() makes, by the name that configs use. */
+    const std::map<std::string, PlannerEntry> &plannerTable();
+
+    /** \brief Geometric planners of OMPL that a config cannot describe, with the reason. */
+    const std::map<std::string, std::string> &unavailablePlanners();
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,165 @@
+#include "ompl_mfa/benchmark/ConfigLines.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <istream>
+#include <numeric>
+
+#include <boost/algorithm/string.hpp>
+
+#include "ompl_mfa/InputError.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        const std::string BYTE_ORDER_MARK = "\xEF\xBB\xBF";
+
+        std::string joined(const std::vector<std::string> &names)
+        {
+            return boost::algorithm::join(names, ", ");
+        }
+
+        template <typename Number>
+        bool parseWhole(const std::string &text, Number &number)
+        {
+            const char *first = text.data();
+            const char *last = first + text.size();
+            if (first != last && *first == '+')
+                ++first;
+            const auto result = std::from_chars(first, last, number);
+            return first != last && result.ec == std::errc() && result.ptr == last;
+        }
+
+        std::size_t editDistance(const std::string &a, const std::string &b)
+        {
+            std::vector<std::size_t> row(b.size() + 1);
+            std::iota(row.begin(), row.end(), 0);
+            for (std::size_t i = 1; i <= a.size(); ++i)
+            {
+                std::size_t diagonal = row[0];
+                row[0] = i;
+                for (std::size_t j = 1; j <= b.size(); ++j)
+                {
+                    const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+                    diagonal = row[j];
+                    row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+                }
+            }
+            return row.back();
+        }
+
+        ConfigEntry parseEntry(const std::string &line, const std::string &section, const std::string &origin)
+        {
+            const auto equals = line.find('=');
+            if (equals == std::string::npos)
+                failAt(origin, "'" + line + "' is neither '[section]' nor 'key = value'");
+            ConfigEntry entry{boost::trim_copy(line.substr(0, equals)), boost::trim_copy(line.substr(equals + 1)),
+                              origin};
+            if (entry.key.empty())
+                failAt(origin, "'" + line + "' has no key before '='");
+            boost::to_lower(entry.key);
+            if (!section.empty())
+                entry.key = section + "." + entry.key;
+            return entry;
+        }
+    }  // namespace
+
+    std::vector<ConfigEntry> readConfigLines(std::istream &in, const std::string &file)
+    {
+        std::vector<ConfigEntry> entries;
+        std::string section;
+        std::string line;
+        for (unsigned int number = 1; std::getline(in, line); ++number)
+        {
+            if (number == 1 && boost::starts_with(line, BYTE_ORDER_MARK))
+                line.erase(0, BYTE_ORDER_MARK.size());
+            const std::string origin = file + ":" + std::to_string(number);
+            if (line.find('\0') != std::string::npos)
+                failAt(origin, "a NUL character; the file is to be UTF-8 text");
+            line.erase(std::find(line.begin(), line.end(), '#'), line.end());
+            boost::trim(line);
+            if (line.empty())
+                continue;
+            if (line.front() == '[')
+            {
+                if (line.back() != ']')
+                    failAt(origin, "'" + line + "' has no closing ']'");
+                section = boost::to_lower_copy(boost::trim_copy(line.substr(1, line.size() - 2)));
+            }
+            else
+                entries.push_back(parseEntry(line, section, origin));
+        }
+        return entries;
+    }
+
+    double realValue(const ConfigEntry &entry)
+    {
+        double number = 0.0;
+        if (!parseWhole(entry.value, number) || !std::isfinite(number))
+            failAt(entry, "expected a finite number");
+        return number;
+    }
+
+    double positiveValue(const ConfigEntry &entry)
+    {
+        const double number = realValue(entry);
+        if (number <= 0.0)
+            failAt(entry, "expected a number above 0");
+        return number;
+    }
+
+    std::uint_fast64_t wholeValue(const ConfigEntry &entry, std::uint_fast64_t first, std::uint_fast64_t last)
+    {
+        std::uint_fast64_t number = 0;
+        if (!parseWhole(entry.value, number) || number < first || number > last)
+            failAt(entry, "expected a whole number from " + std::to_string(first) + " to " + std::to_string(last));
+        return number;
+    }
+
+    bool switchValue(const ConfigEntry &entry)
+    {
+        return choiceValue(entry, {"0", "1", "false", "true", "no", "yes", "off", "on"}) % 2 == 1;
+    }
+
+    std::size_t choiceValue(const ConfigEntry &entry, const std::vector<std::string> &accepted)
+    {
+        const auto found = std::find(accepted.begin(), accepted.end(), boost::to_lower_copy(entry.value));
+        if (found == accepted.end())
+            failAt(entry, "expected one of " + joined(accepted));
+        return static_cast<std::size_t>(found - accepted.begin());
+    }
+
+    void failAt(const std::string &origin, const std::string &message)
+    {
+        throw InputError(origin + ": " + message);
+    }
+
+    void failAt(const ConfigEntry &entry, const std::string &message)
+    {
+        failAt(entry.origin, entry.key + " = " + entry.value + ": " + message);
+    }
+
+    std::string nearestName(const std::string &name, const std::vector<std::string> &known)
+    {
+        std::string nearest;
+        std::size_t least = std::max<std::size_t>(2, name.size() / 2) + 1;
+        for (const auto &candidate : known)
+        {
+            const std::size_t distance = editDistance(name, candidate);
+            if (distance < least)
+            {
+                least = distance;
+                nearest = candidate;
+            }
+        }
+        return nearest;
+    }
+
+    std::string suggestion(const std::string &name, const std::vector<std::string> &known)
+    {
+        const std::string nearest = nearestName(name, known);
+        return nearest.empty() ? "; known are " + joined(known) : "; did you mean '" + nearest + "'?";
+    }
+}  // namespace ompl_mfa

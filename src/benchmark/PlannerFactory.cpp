@@ -1,0 +1,213 @@
+#include "ompl_mfa/benchmark/PlannerFactory.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <memory>
+
+#include <boost/algorithm/string.hpp>
+
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/benchmark/PlannerTable.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        namespace ob = ompl::base;
+
+        enum class ValueType
+        {
+            SWITCH,
+            INTEGER,
+            UNSIGNED,
+            REAL,
+            TEXT
+        };
+
+        template <typename... Types>
+        bool isOneOf(const ob::GenericParam &parameter)
+        {
+            return ((dynamic_cast<const ob::SpecificParam<Types> *>(&parameter) != nullptr) || ...);
+        }
+
+        ValueType valueType(const ob::GenericParam &parameter)
+        {
+            if (isOneOf<bool>(parameter))
+                return ValueType::SWITCH;
+            if (isOneOf<int, long, long long>(parameter))
+                return ValueType::INTEGER;
+            if (isOneOf<unsigned int, unsigned long, unsigned long long>(parameter))
+                return ValueType::UNSIGNED;
+            if (isOneOf<float, double, long double>(parameter))
+                return ValueType::REAL;
+            return ValueType::TEXT;
+        }
+
+        std::string typeName(ValueType type)
+        {
+            static const char *const NAMES[] = {"bool", "integer", "unsigned", "real", "text"};
+            return NAMES[static_cast<std::size_t>(type)];
+        }
+
+        /* The ends of "first:last" and "first:step:last"; false for lists and for parameters without a range. */
+        bool rangeEnds(const std::string &range, double &first, double &last)
+        {
+            std::vector<std::string> parts;
+            boost::split(parts, range, boost::is_any_of(":"));
+            if (parts.size() < 2)
+                return false;
+            const auto read = [](const std::string &text, double &number)
+            {
+                const char *end = text.data() + text.size();
+                const auto result = std::from_chars(text.data(), end, number);
+                return result.ec == std::errc() && result.ptr == end;
+            };
+            return read(boost::trim_copy(parts.front()), first) && read(boost::trim_copy(parts.back()), last);
+        }
+
+        /* OMPL calls its ranges suggestions, and its own sample configs exceed some of them. What no planner of OMPL
+           can use are negative values where the range has none, and fractions above 1. */
+        void checkRange(const ConfigEntry &entry, const std::string &range, double value, bool isLimit)
+        {
+            double first = 0.0;
+            double last = 0.0;
+            if (!rangeEnds(range, first, last))
+                return;
+            const bool isFraction = first == 0.0 && last == 1.0;
+            const bool isOutside = isLimit || isFraction ? value < first || value > last : first >= 0.0 && value < 0.0;
+            if (isOutside)
+                failAt(entry, "out of the range " + range);
+        }
+
+        void checkChoice(const ConfigEntry &entry, const std::string &range)
+        {
+            std::vector<std::string> choices;
+            boost::split(choices, range, boost::is_any_of(","));
+            if (choices.size() > 1 && std::find(choices.begin(), choices.end(), entry.value) == choices.end())
+                failAt(entry, "expected one of " + range);
+        }
+
+        /* The text to hand to OMPL, whose own conversion accepts "12abc" as 12 and "-1" as an unsigned number. */
+        std::string checkedValue(const ob::GenericParam &parameter, const ConfigEntry &entry, bool isLimit)
+        {
+            const std::string &range = parameter.getRangeSuggestion();
+            switch (valueType(parameter))
+            {
+                case ValueType::SWITCH:
+                    return switchValue(entry) ? "1" : "0";
+                case ValueType::INTEGER:
+                case ValueType::UNSIGNED:
+                {
+                    const double number = realValue(entry);
+                    const bool isUnsigned = valueType(parameter) == ValueType::UNSIGNED;
+                    if (number != std::floor(number) || std::abs(number) > std::numeric_limits<int>::max() ||
+                        (isUnsigned && number < 0.0) || entry.value.find_first_of(".eE") != std::string::npos)
+                        failAt(entry, isUnsigned ? "expected a whole number of at least 0" : "expected a whole number");
+                    checkRange(entry, range, number, isLimit);
+                    return entry.value;
+                }
+                case ValueType::REAL:
+                    checkRange(entry, range, realValue(entry), isLimit);
+                    return entry.value;
+                case ValueType::TEXT:
+                    checkChoice(entry, range);
+                    return entry.value;
+            }
+            return entry.value;
+        }
+
+        ob::GenericParamPtr findParameter(const ob::Planner &planner, const PlannerSpec &spec, const ConfigEntry &entry)
+        {
+            std::vector<std::string> names;
+            for (const auto &[name, parameter] : planner.params().getParams())
+            {
+                if (boost::iequals(name, entry.key))
+                    return parameter;
+                names.push_back(name);
+            }
+            if (names.empty())
+                failAt(entry, "planner '" + spec.type + "' has no parameters");
+            failAt(entry, "unknown parameter of planner '" + spec.type + "'" + suggestion(entry.key, names));
+        }
+
+        void setParameter(ob::Planner &planner, const PlannerSpec &spec, const ConfigEntry &entry, bool isLimit)
+        {
+            const ob::GenericParamPtr parameter = findParameter(planner, spec, entry);
+            const std::string value = checkedValue(*parameter, entry, isLimit);
+            const std::string &range = parameter->getRangeSuggestion();
+            const std::string accepted = range.empty() ? "" : "; its range is " + range;
+            bool isSet = false;
+            try
+            {
+                isSet = parameter->setValue(value);
+            }
+            catch (const std::exception &error)
+            {
+                failAt(entry, error.what() + accepted);
+            }
+            if (!isSet)
+                failAt(entry, "not accepted by planner '" + spec.type + "'" + accepted);
+        }
+    }  // namespace
+
+    std::vector<std::string> plannerNames()
+    {
+        std::vector<std::string> names;
+        for (const auto &[name, planner] : plannerTable())
+            names.push_back(name);
+        return names;
+    }
+
+    void requireKnownPlanner(const std::string &type, const std::string &origin)
+    {
+        const auto reason = unavailablePlanners().find(type);
+        if (reason != unavailablePlanners().end())
+            failAt(origin, "planner '" + type + "' is not available: " + reason->second);
+        if (plannerTable().count(type) == 0)
+            failAt(origin, "unknown planner '" + type + "'" + suggestion(type, plannerNames()));
+    }
+
+    std::string plannerTitle(const std::string &type)
+    {
+        return plannerTable().at(type).title;
+    }
+
+    std::vector<PlannerParameter> plannerParameters(const std::string &type)
+    {
+        auto space = std::make_shared<ob::RealVectorStateSpace>(2);
+        space->setBounds(0.0, 1.0);
+        const auto planner = createPlanner(std::make_shared<ob::SpaceInformation>(space), {type, "", type, {}, {}});
+        std::vector<PlannerParameter> parameters;
+        for (const auto &[name, parameter] : planner->params().getParams())
+            parameters.push_back(
+                {name, typeName(valueType(*parameter)), parameter->getRangeSuggestion(), parameter->getValue()});
+        return parameters;
+    }
+
+    ob::PlannerPtr createPlanner(const ob::SpaceInformationPtr &si, const PlannerSpec &spec)
+    {
+        requireKnownPlanner(spec.type, spec.origin);
+        const PlannerEntry &entry = plannerTable().at(spec.type);
+        if (entry.needsProjection && !si->getStateSpace()->hasDefaultProjection())
+            failAt(spec.origin, "planner '" + spec.type + "' needs a projection, and the state space '" +
+                                    si->getStateSpace()->getName() + "' has no default one");
+        ob::PlannerPtr planner;
+        try
+        {
+            planner = entry.allocate(si);
+        }
+        catch (const std::exception &error)
+        {
+            failAt(spec.origin, "planner '" + spec.type + "' cannot be made: " + error.what());
+        }
+        planner->setName(spec.name.empty() ? entry.title : spec.name);
+        for (const auto &parameter : spec.parameters)
+            setParameter(*planner, spec, parameter, entry.isOwn);
+        return planner;
+    }
+}  // namespace ompl_mfa

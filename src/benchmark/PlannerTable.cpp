@@ -1,0 +1,234 @@
+#include "ompl_mfa/benchmark/PlannerTable.h"
+
+#include <vector>
+
+#include <ompl/geometric/planners/AnytimePathShortening.h>
+#include <ompl/geometric/planners/cforest/CForest.h>
+#include <ompl/geometric/planners/est/BiEST.h>
+#include <ompl/geometric/planners/est/EST.h>
+#include <ompl/geometric/planners/est/ProjEST.h>
+#include <ompl/geometric/planners/fmt/BFMT.h>
+#include <ompl/geometric/planners/fmt/FMT.h>
+#include <ompl/geometric/planners/informedtrees/ABITstar.h>
+#include <ompl/geometric/planners/informedtrees/AITstar.h>
+#include <ompl/geometric/planners/informedtrees/BITstar.h>
+#include <ompl/geometric/planners/kpiece/BKPIECE1.h>
+#include <ompl/geometric/planners/kpiece/KPIECE1.h>
+#include <ompl/geometric/planners/kpiece/LBKPIECE1.h>
+#include <ompl/geometric/planners/pdst/PDST.h>
+#include <ompl/geometric/planners/prm/LazyPRM.h>
+#include <ompl/geometric/planners/prm/LazyPRMstar.h>
+#include <ompl/geometric/planners/prm/PRM.h>
+#include <ompl/geometric/planners/prm/PRMstar.h>
+#include <ompl/geometric/planners/prm/SPARS.h>
+#include <ompl/geometric/planners/prm/SPARStwo.h>
+#include <ompl/geometric/planners/rlrt/BiRLRT.h>
+#include <ompl/geometric/planners/rlrt/RLRT.h>
+#include <ompl/geometric/planners/rrt/BiTRRT.h>
+#include <ompl/geometric/planners/rrt/InformedRRTstar.h>
+#include <ompl/geometric/planners/rrt/LBTRRT.h>
+#include <ompl/geometric/planners/rrt/LazyLBTRRT.h>
+#include <ompl/geometric/planners/rrt/LazyRRT.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/RRTXstatic.h>
+#include <ompl/geometric/planners/rrt/RRTsharp.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/geometric/planners/rrt/SORRTstar.h>
+#include <ompl/geometric/planners/rrt/TRRT.h>
+#include <ompl/geometric/planners/rrt/TSRRT.h>
+#include <ompl/geometric/planners/rrt/pRRT.h>
+#include <ompl/geometric/planners/sbl/SBL.h>
+#include <ompl/geometric/planners/sbl/pSBL.h>
+#include <ompl/geometric/planners/sst/SST.h>
+#include <ompl/geometric/planners/stride/STRIDE.h>
+
+#include "ompl_mfa/OmplCompatibility.h"
+#include "ompl_mfa/benchmark/PositionTaskSpace.h"
+
+#ifdef OMPL_MFA_HAS_EITSTAR
+#include <ompl/geometric/planners/informedtrees/EITstar.h>
+#endif
+#ifdef OMPL_MFA_HAS_EIRMSTAR
+#include <ompl/geometric/planners/informedtrees/EIRMstar.h>
+#endif
+#ifdef OMPL_MFA_HAS_BLITSTAR
+#include <ompl/geometric/planners/lazyinformedtrees/BLITstar.h>
+#endif
+#ifdef OMPL_MFA_HAS_AORRTC
+#include <ompl/geometric/planners/rrt/AORRTC.h>
+#endif
+#ifdef OMPL_MFA_HAS_AOXRRTCONNECT
+#include <ompl/geometric/planners/rrt/AOXRRTConnect.h>
+#endif
+#ifdef OMPL_MFA_HAS_ATRRT
+#include <ompl/geometric/planners/rrt/ATRRT.h>
+#endif
+#ifdef OMPL_MFA_HAS_TRRTSTAR
+#include <ompl/geometric/planners/rrt/TRRTstar.h>
+#endif
+#ifdef OMPL_MFA_HAS_QUOTIENT_SPACES
+#include <ompl/geometric/planners/quotientspace/QRRT.h>
+#endif
+#ifdef OMPL_MFA_HAS_MULTILEVEL
+#include <ompl/multilevel/planners/qmp/QMP.h>
+#include <ompl/multilevel/planners/qmp/QMPStar.h>
+#include <ompl/multilevel/planners/qrrt/QRRT.h>
+#include <ompl/multilevel/planners/qrrt/QRRTStar.h>
+#endif
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        namespace ob = ompl::base;
+        namespace og = ompl::geometric;
+
+        template <typename Planner>
+        PlannerEntry entry(const std::string &title)
+        {
+            return {title,
+                    [](const ob::SpaceInformationPtr &si) -> ob::PlannerPtr { return std::make_shared<Planner>(si); }};
+        }
+
+        template <typename Planner>
+        PlannerEntry projectionEntry(const std::string &title)
+        {
+            PlannerEntry made = entry<Planner>(title);
+            made.needsProjection = true;
+            return made;
+        }
+
+        /* Multi-level planners take a sequence of spaces; a config describes one, the sequence of length 1. */
+        template <typename Planner>
+        PlannerEntry singleLevelEntry(const std::string &title)
+        {
+            return {title,
+                    [](const ob::SpaceInformationPtr &si) -> ob::PlannerPtr
+                    {
+                        std::vector<ob::SpaceInformationPtr> levels{si};
+                        return std::make_shared<Planner>(levels);
+                    }};
+        }
+
+        ob::PlannerPtr allocateTSRRT(const ob::SpaceInformationPtr &si)
+        {
+            return std::make_shared<og::TSRRT>(si, std::make_shared<PositionTaskSpace>(si));
+        }
+
+        void addTreePlanners(std::map<std::string, PlannerEntry> &table)
+        {
+            table["rrt"] = entry<og::RRT>("RRT");
+            table["rrtconnect"] = entry<og::RRTConnect>("RRTConnect");
+            table["lazyrrt"] = entry<og::LazyRRT>("LazyRRT");
+            table["trrt"] = entry<og::TRRT>("TRRT");
+            table["bitrrt"] = entry<og::BiTRRT>("BiTRRT");
+            table["tsrrt"] = {"TSRRT", allocateTSRRT};
+            table["prrt"] = entry<og::pRRT>("pRRT");
+            table["rlrt"] = entry<og::RLRT>("RLRT");
+            table["birlrt"] = entry<og::BiRLRT>("BiRLRT");
+            table["est"] = entry<og::EST>("EST");
+            table["biest"] = entry<og::BiEST>("BiEST");
+            table["projest"] = projectionEntry<og::ProjEST>("ProjEST");
+            table["sbl"] = projectionEntry<og::SBL>("SBL");
+            table["psbl"] = projectionEntry<og::pSBL>("pSBL");
+            table["kpiece"] = projectionEntry<og::KPIECE1>("KPIECE1");
+            table["bkpiece"] = projectionEntry<og::BKPIECE1>("BKPIECE1");
+            table["lbkpiece"] = projectionEntry<og::LBKPIECE1>("LBKPIECE1");
+            table["pdst"] = projectionEntry<og::PDST>("PDST");
+            table["stride"] = entry<og::STRIDE>("STRIDE");
+            table["sst"] = entry<og::SST>("SST");
+        }
+
+        void addRoadmapPlanners(std::map<std::string, PlannerEntry> &table)
+        {
+            table["prm"] = entry<og::PRM>("PRM");
+            table["prmstar"] = entry<og::PRMstar>("PRMstar");
+            table["lazyprm"] = entry<og::LazyPRM>("LazyPRM");
+            table["lazyprmstar"] = entry<og::LazyPRMstar>("LazyPRMstar");
+            table["spars"] = entry<og::SPARS>("SPARS");
+            table["spars2"] = entry<og::SPARStwo>("SPARStwo");
+            table["fmt"] = entry<og::FMT>("FMT");
+            table["bfmt"] = entry<og::BFMT>("BFMT");
+        }
+
+        void addOptimizingPlanners(std::map<std::string, PlannerEntry> &table)
+        {
+            table["rrtstar"] = entry<og::RRTstar>("RRTstar");
+            table["informedrrtstar"] = entry<og::InformedRRTstar>("InformedRRTstar");
+            table["sorrtstar"] = entry<og::SORRTstar>("SORRTstar");
+            table["rrtsharp"] = entry<og::RRTsharp>("RRTsharp");
+            table["rrtxstatic"] = entry<og::RRTXstatic>("RRTXstatic");
+            table["lbtrrt"] = entry<og::LBTRRT>("LBTRRT");
+            table["lazylbtrrt"] = entry<og::LazyLBTRRT>("LazyLBTRRT");
+            table["bitstar"] = entry<og::BITstar>("BITstar");
+            table["abitstar"] = entry<og::ABITstar>("ABITstar");
+            table["aitstar"] = entry<og::AITstar>("AITstar");
+            table["anytimepathshortening"] = entry<og::AnytimePathShortening>("AnytimePathShortening");
+            table["aps"] = table["anytimepathshortening"];
+            table["cforest"] = entry<og::CForest>("CForest");
+        }
+
+        void addNewerPlanners([[maybe_unused]] std::map<std::string, PlannerEntry> &table)
+        {
+#ifdef OMPL_MFA_HAS_EITSTAR
+            table["eitstar"] = entry<og::EITstar>("EITstar");
+#endif
+#ifdef OMPL_MFA_HAS_EIRMSTAR
+            table["eirmstar"] = entry<og::EIRMstar>("EIRMstar");
+#endif
+#ifdef OMPL_MFA_HAS_BLITSTAR
+            table["blitstar"] = entry<og::BLITstar>("BLITstar");
+#endif
+#ifdef OMPL_MFA_HAS_AORRTC
+            table["aorrtc"] = entry<og::AORRTC>("AORRTC");
+#endif
+#ifdef OMPL_MFA_HAS_AOXRRTCONNECT
+            table["aoxrrtconnect"] = entry<og::AOXRRTConnect>("AOXRRTConnect");
+#endif
+#ifdef OMPL_MFA_HAS_ATRRT
+            table["atrrt"] = entry<og::ATRRT>("ATRRT");
+#endif
+#ifdef OMPL_MFA_HAS_TRRTSTAR
+            table["trrtstar"] = entry<og::TRRTstar>("TRRTstar");
+#endif
+#ifdef OMPL_MFA_HAS_QUOTIENT_SPACES
+            table["qrrt"] = singleLevelEntry<og::QRRT>("QRRT");
+#endif
+#ifdef OMPL_MFA_HAS_MULTILEVEL
+            table["qrrt"] = singleLevelEntry<ompl::multilevel::QRRT>("QRRT");
+            table["qrrtstar"] = singleLevelEntry<ompl::multilevel::QRRTStar>("QRRTStar");
+            table["qmp"] = singleLevelEntry<ompl::multilevel::QMP>("QMP");
+            table["qmpstar"] = singleLevelEntry<ompl::multilevel::QMPStar>("QMPStar");
+#endif
+        }
+
+        std::map<std::string, PlannerEntry> makeTable()
+        {
+            std::map<std::string, PlannerEntry> table;
+            addTreePlanners(table);
+            addRoadmapPlanners(table);
+            addOptimizingPlanners(table);
+            addNewerPlanners(table);
+            return table;
+        }
+    }  // namespace
+
+    const std::map<std::string, PlannerEntry> &plannerTable()
+    {
+        static const std::map<std::string, PlannerEntry> TABLE = makeTable();
+        return TABLE;
+    }
+
+    const std::map<std::string, std::string> &unavailablePlanners()
+    {
+        static const std::map<std::string, std::string> REASONS = {{"vfrrt", "it needs a vector field"},
+                                                                   {"xxl", "it needs a decomposition of the space"},
+                                                                   {"strrtstar", "it plans in space and time"},
+                                                                   {"lightning", "it needs a database of experiences"},
+                                                                   {"thunder", "it needs a database of experiences"},
+                                                                   {"syclopest", "it plans with controls"},
+                                                                   {"sycloprrt", "it plans with controls"}};
+        return REASONS;
+    }
+}  // namespace ompl_mfa
