@@ -1,0 +1,98 @@
+#ifndef OMPL_MFA_PATH_PATH_EVALUATOR_
+#define OMPL_MFA_PATH_PATH_EVALUATOR_
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include "ompl_mfa/optimizer/ObjectiveFunction.h"
+#include "ompl_mfa/path/Waypoints.h"
+
+namespace ompl_mfa
+{
+    /** \brief Cost and validity of waypoint paths, as lazily as they can be had: cost first, through the
+        OptimizationObjective; then one motion after the other through SpaceInformation::checkMotion, and no more of
+        them than the answer needs.
+
+        It counts its work in state checks, so that the work of the parts of a planner can be compared without a
+        clock. Not thread-safe; each thread has its own. */
+    class PathEvaluator
+    {
+    public:
+        using StopCondition = std::function<bool()>;
+
+        PathEvaluator(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective);
+        ~PathEvaluator();
+        PathEvaluator(const PathEvaluator &) = delete;
+        PathEvaluator &operator=(const PathEvaluator &) = delete;
+
+        const ompl::base::SpaceInformationPtr &spaceInformation() const
+        {
+            return si_;
+        }
+
+        const ompl::base::OptimizationObjectivePtr &objective() const
+        {
+            return objective_;
+        }
+
+        /** \brief Asked before every motion check. Once it is true, motions count as invalid without being checked,
+            and interrupted() tells so. */
+        void setStopCondition(StopCondition stop);
+
+        /** \brief Whether the stop condition cut an answer short since it was set. */
+        bool interrupted() const
+        {
+            return interrupted_;
+        }
+
+        /** \brief The cost of \e path (at least one state), as ompl::geometric::PathGeometric::cost has it. */
+        ompl::base::Cost cost(const Waypoints &path) const;
+
+        /** \brief Whether the motion is valid; \e from is taken to be a valid state. */
+        bool checkMotion(const ompl::base::State *from, const ompl::base::State *to);
+
+        /** \brief Whether all motions of \e path are valid; its first state is taken to be. */
+        bool checkPath(const Waypoints &path);
+
+        /** \brief The brightness of \e path, whose first state is taken to be valid: its cost, and as violation the
+            length of its invalid part in the unit of the space's distance.
+
+            With a \e rival, an infinitely dim answer is given as soon as the path is known not to be brighter; a path
+            that cannot win on cost is never checked for collision. */
+        Brightness evaluate(const Waypoints &path, const Brightness *rival);
+
+        bool isBrighter(const Brightness &a, const Brightness &b) const;
+
+        /** \brief Called by evaluate for the first invalid motion of a path, with the path, the number of that motion
+            and the last valid state on it. The motions before it are valid. Set it only while it is needed: it makes
+            evaluate check the motions in order. */
+        using PartialPathEvent =
+            std::function<void(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid)>;
+        void setPartialPathEvent(PartialPathEvent event);
+
+        /** \brief Work done so far: states whose validity was asked for, counted by the resolution of each motion. */
+        std::uint64_t stateChecks() const
+        {
+            return stateChecks_;
+        }
+
+    private:
+        void reportPartialPath(const Waypoints &path, std::size_t motion);
+        double invalidLength(const ompl::base::State *from, const ompl::base::State *to);
+
+        ompl::base::SpaceInformationPtr si_;
+        ompl::base::OptimizationObjectivePtr objective_;
+        StopCondition stop_;
+        PartialPathEvent partialPath_;
+        ompl::base::State *scratch_;
+        std::uint64_t stateChecks_{0};
+        std::size_t lastInvalid_{0};
+        bool interrupted_{false};
+    };
+}  // namespace ompl_mfa
+
+#endif

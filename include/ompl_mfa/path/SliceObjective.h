@@ -1,0 +1,33 @@
+#ifndef OMPL_MFA_PATH_SLICE_OBJECTIVE_
+#define OMPL_MFA_PATH_SLICE_OBJECTIVE_
+
+#include <functional>
+
+#include "ompl_mfa/optimizer/ObjectiveFunction.h"
+#include "ompl_mfa/path/PathEvaluator.h"
+#include "ompl_mfa/path/SliceFrame.h"
+
+namespace ompl_mfa
+{
+    /** \brief What the fireflies optimise: the brightness of the path at the coordinates of a SliceFrame. Frame and
+        evaluator must outlive it. */
+    class SliceObjective : public ObjectiveFunction
+    {
+    public:
+        /** \brief Called with every valid path that an evaluation comes upon. */
+        using ValidPathEvent = std::function<void(const Waypoints &path, const Brightness &brightness)>;
+
+        SliceObjective(const SliceFrame &frame, PathEvaluator &evaluator, ValidPathEvent validPath);
+
+        Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) override;
+        bool isBrighter(const Brightness &a, const Brightness &b) const override;
+
+    private:
+        const SliceFrame &frame_;
+        PathEvaluator &evaluator_;
+        ValidPathEvent validPath_;
+        Waypoints path_;
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,70 @@
+#ifndef OMPL_MFA_PLANNER_INCUMBENT_
+#define OMPL_MFA_PLANNER_INCUMBENT_
+
+#include <atomic>
+#include <limits>
+
+#include <ompl/base/OptimizationObjective.h>
+
+#include "ompl_mfa/path/Waypoints.h"
+
+namespace ompl_mfa
+{
+    /** \brief The best path known: valid from a start to a goal once there is one, and until then the path whose end
+        came nearest to the goal. */
+    class Incumbent
+    {
+    public:
+        explicit Incumbent(const ompl::base::StateSpacePtr &space);
+
+        /** \brief Forgets both paths and orders the paths to come by \e objective. */
+        void reset(ompl::base::OptimizationObjectivePtr objective);
+
+        bool hasPath() const
+        {
+            return !path_.empty();
+        }
+
+        const Waypoints &path() const
+        {
+            return path_;
+        }
+
+        /** \brief Cost of the best path; infinite (not the objective's infinite cost) before there is one. May be
+            read by another thread. */
+        double cost() const
+        {
+            return cost_.load(std::memory_order_relaxed);
+        }
+
+        /** \brief Whether a path of cost \e cost would be kept. */
+        bool improvedBy(double cost) const;
+
+        /** \brief Keeps \e path, whose motions are all valid, if it is better than the best so far. */
+        bool offer(const Waypoints &path, double cost);
+
+        /** \brief The path that came nearest to the goal. */
+        const Waypoints &partialPath() const
+        {
+            return partial_;
+        }
+
+        /** \brief Distance of its end from the goal, in the goal's unit; infinite where there is none. */
+        double partialDistance() const
+        {
+            return partialDistance_;
+        }
+
+        /** \brief Keeps the first \e count states of \e path and \e last, if \e last is nearer to the goal. */
+        bool offerPartial(const Waypoints &path, std::size_t count, const ompl::base::State *last, double distance);
+
+    private:
+        ompl::base::OptimizationObjectivePtr objective_;
+        Waypoints path_;
+        Waypoints partial_;
+        std::atomic<double> cost_{std::numeric_limits<double>::infinity()};
+        double partialDistance_{std::numeric_limits<double>::infinity()};
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,65 @@
+#ifndef OMPL_MFA_PLANNER_SWARM_
+#define OMPL_MFA_PLANNER_SWARM_
+
+#include <cstdint>
+#include <memory>
+
+#include "ompl_mfa/optimizer/FireflyOptimizer.h"
+#include "ompl_mfa/path/SliceFrame.h"
+#include "ompl_mfa/path/SliceObjective.h"
+
+namespace ompl_mfa
+{
+    /** \brief Fireflies over the slices of one frame, epoch after epoch. */
+    class Swarm
+    {
+    public:
+        /** \brief \e frame has at least one coordinate; \e evaluator outlives the swarm. */
+        Swarm(SliceFrame frame, PathEvaluator &evaluator, const FireflyOptimizer::Settings &settings,
+              std::uint64_t seed, SliceObjective::ValidPathEvent validPath);
+        Swarm(const Swarm &) = delete;
+        Swarm &operator=(const Swarm &) = delete;
+
+        /** \brief Puts \e path (one state on each slice between start and goal) into the swarm before its first
+            generation. */
+        void inject(const Waypoints &path);
+
+        /** \brief One generation, as FireflyOptimizer::step. After the last generation of an epoch the next begins
+            with the brightest fifth of the old swarm among new random fireflies. */
+        bool step(const FireflyOptimizer::StopCondition &stop);
+
+        const SliceFrame &frame() const
+        {
+            return frame_;
+        }
+
+        const FireflyOptimizer &fireflies() const
+        {
+            return *fireflies_;
+        }
+
+        /** \brief Completed epochs. */
+        unsigned int epoch() const
+        {
+            return epoch_;
+        }
+
+        /** \brief Path evaluations of all epochs. */
+        std::uint64_t evaluations() const
+        {
+            return earlierEvaluations_ + fireflies_->evaluations();
+        }
+
+    private:
+        void beginEpoch();
+
+        SliceFrame frame_;
+        SliceObjective objective_;
+        std::uint64_t seed_;
+        std::unique_ptr<FireflyOptimizer> fireflies_;
+        unsigned int epoch_{0};
+        std::uint64_t earlierEvaluations_{0};
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,117 @@
+#include "ompl_mfa/path/PathEvaluator.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    PathEvaluator::PathEvaluator(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective)
+      : si_(std::move(si)), objective_(std::move(objective)), scratch_(si_->allocState())
+    {
+    }
+
+    PathEvaluator::~PathEvaluator()
+    {
+        si_->freeState(scratch_);
+    }
+
+    void PathEvaluator::setStopCondition(StopCondition stop)
+    {
+        stop_ = std::move(stop);
+        interrupted_ = false;
+    }
+
+    void PathEvaluator::setPartialPathEvent(PartialPathEvent event)
+    {
+        partialPath_ = std::move(event);
+    }
+
+    ob::Cost PathEvaluator::cost(const Waypoints &path) const
+    {
+        ob::Cost cost = objective_->initialCost(path.front());
+        for (std::size_t i = 1; i < path.size(); ++i)
+            cost = objective_->combineCosts(cost, objective_->motionCost(path[i - 1], path[i]));
+        return objective_->combineCosts(cost, objective_->terminalCost(path.back()));
+    }
+
+    bool PathEvaluator::checkMotion(const ob::State *from, const ob::State *to)
+    {
+        if (interrupted_ || (stop_ && stop_()))
+        {
+            interrupted_ = true;
+            return false;
+        }
+        stateChecks_ += si_->getStateSpace()->validSegmentCount(from, to);
+        return si_->checkMotion(from, to);
+    }
+
+    bool PathEvaluator::checkPath(const Waypoints &path)
+    {
+        for (std::size_t i = 1; i < path.size(); ++i)
+        {
+            if (!checkMotion(path[i - 1], path[i]))
+                return false;
+        }
+        return true;
+    }
+
+    bool PathEvaluator::isBrighter(const Brightness &a, const Brightness &b) const
+    {
+        if (a.violation != b.violation)
+            return a.violation < b.violation;
+        return objective_->isCostBetterThan(ob::Cost(a.cost), ob::Cost(b.cost));
+    }
+
+    Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival)
+    {
+        Brightness result{0.0, cost(path).value()};
+        const bool feasibleRival = rival != nullptr && rival->isFeasible();
+        if (feasibleRival && !isBrighter(result, *rival))
+            return {};
+        const std::size_t motions = path.size() - 1;
+        // a path that fails often fails where the last one did
+        const std::size_t first = partialPath_ || lastInvalid_ >= motions ? 0 : lastInvalid_;
+        for (std::size_t k = 0; k < motions; ++k)
+        {
+            const std::size_t i = k == 0 ? first : (k <= first ? k - 1 : k);
+            if (checkMotion(path[i], path[i + 1]))
+                continue;
+            if (interrupted_ || feasibleRival)
+                return {};
+            lastInvalid_ = i;
+            if (partialPath_ && result.violation == 0.0)
+                reportPartialPath(path, i);
+            result.violation += invalidLength(path[i], path[i + 1]);
+            if (rival != nullptr && result.violation > rival->violation)
+                return {};
+        }
+        return result;
+    }
+
+    void PathEvaluator::reportPartialPath(const Waypoints &path, std::size_t motion)
+    {
+        si_->copyState(scratch_, path[motion]);
+        std::pair<ob::State *, double> lastValid(scratch_, 0.0);
+        stateChecks_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
+        si_->checkMotion(path[motion], path[motion + 1], lastValid);
+        partialPath_(path, motion, scratch_);
+    }
+
+    double PathEvaluator::invalidLength(const ob::State *from, const ob::State *to)
+    {
+        const auto &space = si_->getStateSpace();
+        const unsigned int count = std::max(1U, space->validSegmentCount(from, to));
+        unsigned int invalid = 0;
+        for (unsigned int j = 1; j <= count; ++j)
+        {
+            space->interpolate(from, to, static_cast<double>(j) / count, scratch_);
+            if (!si_->isValid(scratch_))
+                ++invalid;
+        }
+        stateChecks_ += count;
+        // a motion that only the motion validator finds invalid still counts
+        return si_->distance(from, to) * std::max(1U, invalid) / count;
+    }
+}  // namespace ompl_mfa

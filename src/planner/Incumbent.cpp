@@ -1,0 +1,47 @@
+#include "ompl_mfa/planner/Incumbent.h"
+
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    Incumbent::Incumbent(const ob::StateSpacePtr &space) : path_(space), partial_(space)
+    {
+    }
+
+    void Incumbent::reset(ob::OptimizationObjectivePtr objective)
+    {
+        objective_ = std::move(objective);
+        path_.clear();
+        partial_.clear();
+        cost_.store(std::numeric_limits<double>::infinity(), std::memory_order_relaxed);
+        partialDistance_ = std::numeric_limits<double>::infinity();
+    }
+
+    bool Incumbent::improvedBy(double cost) const
+    {
+        return path_.empty() || objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(this->cost()));
+    }
+
+    bool Incumbent::offer(const Waypoints &path, double cost)
+    {
+        if (!improvedBy(cost))
+            return false;
+        path_ = path;
+        cost_.store(cost, std::memory_order_relaxed);
+        return true;
+    }
+
+    bool Incumbent::offerPartial(const Waypoints &path, std::size_t count, const ob::State *last, double distance)
+    {
+        if (!(distance < partialDistance_))
+            return false;
+        partial_.clear();
+        for (std::size_t i = 0; i < count; ++i)
+            partial_.append(path[i]);
+        partial_.append(last);
+        partialDistance_ = distance;
+        return true;
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,269 @@
+#include "ompl_mfa/planner/MFA.h"
+
+#include <utility>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Pairs of start and goal beyond these get no swarm of their own. */
+        constexpr std::size_t MAX_SWARMS = 8;
+    }  // namespace
+
+    MFA::MFA(const ob::SpaceInformationPtr &si) : ob::Planner(si, "MFA")
+    {
+        specs_.recognizedGoal = ob::GOAL_REGION;
+        specs_.approximateSolutions = true;
+        specs_.optimizingPaths = true;
+        specs_.directed = true;
+        specs_.canReportIntermediateSolutions = true;
+        addPlannerProgressProperty("best cost REAL", [this] { return ompl::toString(bestCost()); });
+        addPlannerProgressProperty("iterations INTEGER", [this] { return std::to_string(iterations()); });
+        addPlannerProgressProperty("evaluations INTEGER", [this] { return std::to_string(evaluations()); });
+        incumbent_ = std::make_unique<Incumbent>(si->getStateSpace());
+        query_ = std::make_unique<Query>(si->getStateSpace());
+        declareParameters();
+    }
+
+    MFA::~MFA() = default;
+
+    void MFA::setup()
+    {
+        Planner::setup();
+        chart_ = std::make_shared<StateChart>(si_->getStateSpace());
+    }
+
+    void MFA::clear()
+    {
+        Planner::clear();
+        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        swarms_.clear();
+        activeSwarm_ = 0;
+        evaluator_.reset();
+        query_->reset();
+        incumbent_->reset(nullptr);
+        triedStarts_ = triedGoals_ = 0;
+        iterations_ = 0;
+        evaluations_ = 0;
+    }
+
+    void MFA::clearQuery()
+    {
+        // the swarm lives on slices between one start and one goal: nothing of it serves another query
+        clear();
+        pis_.restart();
+    }
+
+    void MFA::prepareQuery()
+    {
+        if (evaluator_ && !query_->differsFrom(*pdef_))
+            return;
+        if (evaluator_)
+            clearQuery();
+        objective_ = pdef_->getOptimizationObjective();
+        if (!objective_)
+        {
+            OMPL_INFORM("%s: No optimization objective specified. Defaulting to optimizing path length.",
+                        getName().c_str());
+            objective_ = std::make_shared<ob::PathLengthOptimizationObjective>(si_);
+        }
+        query_->reset(*pdef_);
+        incumbent_->reset(objective_);
+        evaluator_ = std::make_unique<PathEvaluator>(si_, objective_);
+        evaluator_->setPartialPathEvent(
+            [this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
+            { offerPartial(path, motion, lastValid); });
+        runSeed_ = seed_ != 0 ? seed_ : static_cast<std::uint64_t>(rng_.uniformInt(1, 1 << 30));
+    }
+
+    ob::PlannerStatus::StatusType MFA::begin(const ob::PlannerTerminationCondition &ptc)
+    {
+        prepareQuery();
+        published_ = false;
+        evaluator_->setStopCondition([&ptc] { return ptc(); });
+        const auto status = query_->begin(pis_, ptc, chart_, si_, runSeed_);
+        return status;
+    }
+
+    ob::PlannerStatus MFA::solve(const ob::PlannerTerminationCondition &ptc)
+    {
+        checkValidity();
+        {
+            const std::lock_guard<std::recursive_mutex> lock(mutex_);
+            const auto status = begin(ptc);
+            if (status != ob::PlannerStatus::EXACT_SOLUTION)
+                return status;
+        }
+        while (!finished(ptc))
+            iterate(ptc);
+        return report();
+    }
+
+    bool MFA::finished(const ob::PlannerTerminationCondition &ptc) const
+    {
+        if (ptc())
+            return true;
+        return incumbent_->hasPath() && (objective_->isSatisfied(ob::Cost(incumbent_->cost())) || provenOptimal());
+    }
+
+    bool MFA::provenOptimal() const
+    {
+        if (!query_->goalsComplete())
+            return false;
+        for (std::size_t i = 0; i < query_->starts().size(); ++i)
+        {
+            for (std::size_t j = 0; j < query_->goals().size(); ++j)
+            {
+                const ob::State *start = query_->starts()[i];
+                const ob::State *goal = query_->goals()[j];
+                const ob::Cost bound = objective_->combineCosts(
+                    objective_->combineCosts(objective_->initialCost(start),
+                                             objective_->motionCostHeuristic(start, goal)),
+                    objective_->terminalCost(goal));
+                if (objective_->isCostBetterThan(bound, ob::Cost(incumbent_->cost())))
+                    return false;
+            }
+        }
+        return true;
+    }
+
+    void MFA::iterate(const ob::PlannerTerminationCondition &ptc)
+    {
+        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        query_->poll(pis_, ptc);
+        tryStraightMotions();
+        fly(ptc);
+    }
+
+    void MFA::tryStraightMotions()
+    {
+        const Waypoints &starts = query_->starts();
+        const Waypoints &goals = query_->goals();
+        for (std::size_t i = 0; i < starts.size(); ++i)
+        {
+            for (std::size_t j = i < triedStarts_ ? triedGoals_ : 0; j < goals.size(); ++j)
+                tryStraightMotion(starts[i], goals[j]);
+        }
+        triedStarts_ = starts.size();
+        triedGoals_ = goals.size();
+    }
+
+    void MFA::tryStraightMotion(const ob::State *start, const ob::State *goal)
+    {
+        Waypoints path(si_->getStateSpace());
+        path.append(start);
+        path.append(goal);
+        const Brightness brightness = evaluator_->evaluate(path, nullptr);
+        if (brightness.isFeasible())
+            offer(path, brightness.cost);
+        ++evaluations_;
+        if (swarms_.size() >= MAX_SWARMS)
+            return;
+        SliceFrame frame = SliceFrame::straight(chart_, start, goal, slices_ + 1);
+        if (frame.dimension() > 0)
+            swarms_.push_back(std::make_unique<Swarm>(
+                std::move(frame), *evaluator_, settings_, runSeed_ + 1000 * swarms_.size(),
+                [this](const Waypoints &valid, const Brightness &bright) { offer(valid, bright.cost); }));
+    }
+
+    void MFA::fly(const ob::PlannerTerminationCondition &ptc)
+    {
+        if (swarms_.empty())
+            return;
+        Swarm &swarm = *swarms_[activeSwarm_];
+        const std::uint64_t before = swarm.evaluations();
+        const unsigned int generation = swarm.fireflies().generation();
+        const bool completed = swarm.step(
+            [&]
+            {
+                ++evaluations_;
+                return evaluator_->interrupted() || ptc();
+            });
+        evaluations_ += swarm.evaluations() - before;
+        if (!completed)
+            return;
+        if (swarm.fireflies().generation() != generation)
+            ++iterations_;
+        if (swarm.fireflies().generation() >= settings_.generations)
+            activeSwarm_ = (activeSwarm_ + 1) % swarms_.size();
+    }
+
+    void MFA::offer(const Waypoints &path, double cost)
+    {
+        if (!incumbent_->offer(path, cost))
+            return;
+        evaluator_->setPartialPathEvent({});
+        publish();
+    }
+
+    void MFA::publish()
+    {
+        const ob::Cost cost(incumbent_->cost());
+        const auto states = incumbent_->path().pointers();
+        auto path = std::make_shared<og::PathGeometric>(si_);
+        for (const ob::State *state : states)
+            path->append(state);
+        ob::PlannerSolution solution(path);
+        solution.setPlannerName(getName());
+        solution.setOptimized(objective_, cost, objective_->isSatisfied(cost));
+        pdef_->addSolutionPath(solution);
+        published_ = true;
+        if (const auto &callback = pdef_->getIntermediateSolutionCallback())
+            callback(this, states, cost);
+    }
+
+    void MFA::offerPartial(const Waypoints &path, std::size_t motion, const ob::State *lastValid)
+    {
+        double distance = 0.0;
+        query_->goal()->isSatisfied(lastValid, &distance);
+        if (distance >= incumbent_->partialDistance())
+            return;
+        // the piece of the motion up to the last valid state is discretised anew and may not be valid by itself
+        if (evaluator_->checkMotion(path[motion], lastValid))
+            incumbent_->offerPartial(path, motion + 1, lastValid, distance);
+    }
+
+    ob::PlannerStatus MFA::report()
+    {
+        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        evaluator_->setStopCondition({});
+        if (incumbent_->hasPath())
+        {
+            if (!published_)
+                publish();
+            return ob::PlannerStatus::EXACT_SOLUTION;
+        }
+        if (incumbent_->partialPath().size() < 2)
+            return ob::PlannerStatus::TIMEOUT;
+        auto path = std::make_shared<og::PathGeometric>(si_);
+        for (const ob::State *state : incumbent_->partialPath().pointers())
+            path->append(state);
+        ob::PlannerSolution solution(path);
+        solution.setPlannerName(getName());
+        solution.setApproximate(incumbent_->partialDistance());
+        pdef_->addSolutionPath(solution);
+        return ob::PlannerStatus::APPROXIMATE_SOLUTION;
+    }
+
+    double MFA::bestCost() const
+    {
+        return incumbent_->cost();
+    }
+
+    std::uint64_t MFA::iterations() const
+    {
+        return iterations_;
+    }
+
+    std::uint64_t MFA::evaluations() const
+    {
+        return evaluations_;
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,148 @@
+#include <stdexcept>
+
+#include <boost/lexical_cast.hpp>
+
+#include <ompl/util/Exception.h>
+
+#include "ompl_mfa/planner/MFA.h"
+#include "ompl_mfa/planner/RangedParam.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr unsigned int MAX_SLICES = 1000;
+
+        FireflyOptimizer::Settings validated(const FireflyOptimizer::Settings &settings)
+        {
+            try
+            {
+                settings.validate();
+            }
+            catch (const std::invalid_argument &error)
+            {
+                throw ompl::Exception("MFA", error.what());
+            }
+            return settings;
+        }
+    }  // namespace
+
+    void MFA::declareParameters()
+    {
+        const auto declare = [this](const char *name, auto setter, auto getter, const char *range)
+        {
+            using T = decltype((this->*getter)());
+            params_.add(std::make_shared<RangedParam<T>>(
+                name, [this, setter](const T &value) { (this->*setter)(value); },
+                [this, getter] { return (this->*getter)(); }, range));
+        };
+        declare("variant", &MFA::setVariant, &MFA::getVariant, "mfa,fa");
+        declare("population_size", &MFA::setPopulationSize, &MFA::getPopulationSize, "4:1:10000");
+        declare("slices", &MFA::setSlices, &MFA::getSlices, "1:1:1000");
+        declare("generations", &MFA::setGenerations, &MFA::getGenerations, "1:1:100000");
+        declare("gamma", &MFA::setGamma, &MFA::getGamma, "0.0:0.01:100.0");
+        declare("alpha", &MFA::setAlpha, &MFA::getAlpha, "0.0:0.01:1.0");
+        declare("eta", &MFA::setEta, &MFA::getEta, "0.0:0.01:2.0");
+        declare("seed", &MFA::setSeed, &MFA::getSeed, "0:1:4294967295");
+    }
+
+    void MFA::setVariant(const std::string &variant)
+    {
+        auto settings = settings_;
+        if (variant == "mfa")
+            settings.variant = FireflyOptimizer::Variant::MFA;
+        else if (variant == "fa")
+            settings.variant = FireflyOptimizer::Variant::FA;
+        else
+            throw ompl::Exception("MFA", "variant = '" + variant + "': accepted are mfa and fa");
+        settings_ = validated(settings);
+    }
+
+    std::string MFA::getVariant() const
+    {
+        return settings_.variant == FireflyOptimizer::Variant::MFA ? "mfa" : "fa";
+    }
+
+    void MFA::setPopulationSize(unsigned int size)
+    {
+        auto settings = settings_;
+        settings.populationSize = size;
+        settings_ = validated(settings);
+    }
+
+    unsigned int MFA::getPopulationSize() const
+    {
+        return settings_.populationSize;
+    }
+
+    void MFA::setSlices(unsigned int slices)
+    {
+        if (slices < 1 || slices > MAX_SLICES)
+            throw ompl::Exception("MFA", "slices = " + std::to_string(slices) + ": accepted is 1 to " +
+                                             std::to_string(MAX_SLICES));
+        slices_ = slices;
+    }
+
+    unsigned int MFA::getSlices() const
+    {
+        return slices_;
+    }
+
+    void MFA::setGenerations(unsigned int generations)
+    {
+        auto settings = settings_;
+        settings.generations = generations;
+        settings_ = validated(settings);
+    }
+
+    unsigned int MFA::getGenerations() const
+    {
+        return settings_.generations;
+    }
+
+    void MFA::setGamma(double gamma)
+    {
+        auto settings = settings_;
+        settings.gamma = gamma;
+        settings_ = validated(settings);
+    }
+
+    double MFA::getGamma() const
+    {
+        return settings_.gamma;
+    }
+
+    void MFA::setAlpha(double alpha)
+    {
+        auto settings = settings_;
+        settings.alpha = alpha;
+        settings_ = validated(settings);
+    }
+
+    double MFA::getAlpha() const
+    {
+        return settings_.alpha;
+    }
+
+    void MFA::setEta(double eta)
+    {
+        auto settings = settings_;
+        settings.eta = eta;
+        settings_ = validated(settings);
+    }
+
+    double MFA::getEta() const
+    {
+        return settings_.eta;
+    }
+
+    void MFA::setSeed(std::uint32_t seed)
+    {
+        seed_ = seed;
+    }
+
+    std::uint32_t MFA::getSeed() const
+    {
+        return seed_;
+    }
+}  // namespace ompl_mfa

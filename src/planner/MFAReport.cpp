@@ -1,0 +1,96 @@
+/* What MFA tells of its search: planner data, the swarm's paths and its slices. */
+
+#include <ompl/base/PlannerData.h>
+
+#include "ompl_mfa/planner/MFA.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Adds the states of a path as vertices, and its motions as edges where they were found valid. */
+        void addPath(const Waypoints &path, bool checked, ob::PlannerData &data)
+        {
+            data.addStartVertex(ob::PlannerDataVertex(path.front()));
+            data.addGoalVertex(ob::PlannerDataVertex(path.back()));
+            for (std::size_t i = 1; i < path.size(); ++i)
+            {
+                data.addVertex(ob::PlannerDataVertex(path[i]));
+                if (checked)
+                    data.addEdge(ob::PlannerDataVertex(path[i - 1]), ob::PlannerDataVertex(path[i]));
+            }
+        }
+    }  // namespace
+
+    void MFA::getPlannerData(ob::PlannerData &data) const
+    {
+        Planner::getPlannerData(data);
+        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        // planner data point to states of the planner: these copies live until the next call
+        plannerDataPaths_.clear();
+        std::vector<bool> checked;
+        for (const auto &swarm : swarms_)
+        {
+            const FireflyOptimizer &fireflies = swarm->fireflies();
+            for (const unsigned int i : fireflies.order())
+            {
+                plannerDataPaths_.emplace_back(si_->getStateSpace());
+                swarm->frame().toWaypoints(fireflies.population().col(i), plannerDataPaths_.back());
+                checked.push_back(fireflies.brightness(i).isFeasible());
+            }
+        }
+        if (incumbent_->hasPath())
+        {
+            plannerDataPaths_.push_back(incumbent_->path());
+            checked.push_back(true);
+        }
+        for (std::size_t i = 0; i < plannerDataPaths_.size(); ++i)
+            addPath(plannerDataPaths_[i], checked[i], data);
+    }
+
+    std::vector<og::PathGeometric> MFA::getSwarmPaths() const
+    {
+        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        std::vector<og::PathGeometric> paths;
+        if (swarms_.empty())
+            return paths;
+        const Swarm &swarm = *swarms_[activeSwarm_];
+        Waypoints waypoints(si_->getStateSpace());
+        for (const unsigned int i : swarm.fireflies().order())
+        {
+            swarm.frame().toWaypoints(swarm.fireflies().population().col(i), waypoints);
+            paths.emplace_back(si_);
+            for (const ob::State *state : waypoints.pointers())
+                paths.back().append(state);
+        }
+        return paths;
+    }
+
+    std::vector<og::PathGeometric> MFA::getSlicePaths() const
+    {
+        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        std::vector<og::PathGeometric> paths;
+        if (swarms_.empty())
+            return paths;
+        const SliceFrame &frame = swarms_[activeSwarm_]->frame();
+        Waypoints ends(si_->getStateSpace());
+        ends.resize(2);
+        for (std::size_t k = 0; k < frame.slices(); ++k)
+        {
+            const auto [first, count] = frame.sliceRange(k);
+            for (Eigen::Index i = first; i < first + count; ++i)
+            {
+                Eigen::VectorXd x = Eigen::VectorXd::Zero(frame.dimension());
+                x[i] = frame.lower()[i];
+                frame.toState(k, x, ends[0]);
+                x[i] = frame.upper()[i];
+                frame.toState(k, x, ends[1]);
+                paths.emplace_back(si_, ends[0], ends[1]);
+            }
+        }
+        return paths;
+    }
+}  // namespace ompl_mfa
