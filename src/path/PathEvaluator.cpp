@@ -8,7 +8,9 @@ namespace ob = ompl::base;
 namespace ompl_mfa
 {
     PathEvaluator::PathEvaluator(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective)
-      : si_(std::move(si)), objective_(std::move(objective)), scratch_(si_->allocState())
+      : si_(std::move(si))
+      , objective_(std::move(objective))
+      , scratch_(si_->allocState())
     {
     }
 

@@ -39,7 +39,9 @@ namespace ompl_mfa
     }
 
     SliceFrame::SliceFrame(StateChartPtr chart, Waypoints axis, double reach)
-      : chart_(std::move(chart)), axis_(std::move(axis)), delta_(chart_->dimension())
+      : chart_(std::move(chart))
+      , axis_(std::move(axis))
+      , delta_(chart_->dimension())
     {
         if (axis_.size() < 2)
             throw std::invalid_argument("SliceFrame: an axis has at least two states, not " +
@@ -113,8 +115,7 @@ namespace ompl_mfa
         const Slice &slice = slices_[k];
         const Eigen::Index lateral = slice.basis.cols();
         chart_->difference(axis_[k + 1], state, delta_);
-        x.segment(slice.offset, lateral).noalias() =
-            slice.basis.transpose() * delta_.head(chart_->positionDimension());
+        x.segment(slice.offset, lateral).noalias() = slice.basis.transpose() * delta_.head(chart_->positionDimension());
         x.segment(slice.offset + lateral, chart_->rotationDimension()) = delta_.tail(chart_->rotationDimension());
     }
 

@@ -5,7 +5,10 @@
 namespace ompl_mfa
 {
     SliceObjective::SliceObjective(const SliceFrame &frame, PathEvaluator &evaluator, ValidPathEvent validPath)
-      : frame_(frame), evaluator_(evaluator), validPath_(std::move(validPath)), path_(frame.chart()->space())
+      : frame_(frame)
+      , evaluator_(evaluator)
+      , validPath_(std::move(validPath))
+      , path_(frame.chart()->space())
     {
     }
 

@@ -64,7 +64,8 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    StateChart::StateChart(ob::StateSpacePtr space) : space_(std::move(space))
+    StateChart::StateChart(ob::StateSpacePtr space)
+      : space_(std::move(space))
     {
         std::vector<std::size_t> chain;
         addLeaves(space_, chain, 1.0);

@@ -5,17 +5,21 @@
 
 namespace ompl_mfa
 {
-    Waypoints::Waypoints(ompl::base::StateSpacePtr space) : space_(std::move(space))
+    Waypoints::Waypoints(ompl::base::StateSpacePtr space)
+      : space_(std::move(space))
     {
     }
 
-    Waypoints::Waypoints(const Waypoints &other) : space_(other.space_)
+    Waypoints::Waypoints(const Waypoints &other)
+      : space_(other.space_)
     {
         *this = other;
     }
 
     Waypoints::Waypoints(Waypoints &&other) noexcept
-      : space_(other.space_), states_(std::move(other.states_)), size_(std::exchange(other.size_, 0))
+      : space_(other.space_)
+      , states_(std::move(other.states_))
+      , size_(std::exchange(other.size_, 0))
     {
         other.states_.clear();
     }

@@ -6,7 +6,9 @@ namespace ob = ompl::base;
 
 namespace ompl_mfa
 {
-    Incumbent::Incumbent(const ob::StateSpacePtr &space) : path_(space), partial_(space)
+    Incumbent::Incumbent(const ob::StateSpacePtr &space)
+      : path_(space)
+      , partial_(space)
     {
     }
 

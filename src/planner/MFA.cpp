@@ -17,7 +17,8 @@ namespace ompl_mfa
         constexpr std::size_t MAX_SWARMS = 8;
     }  // namespace
 
-    MFA::MFA(const ob::SpaceInformationPtr &si) : ob::Planner(si, "MFA")
+    MFA::MFA(const ob::SpaceInformationPtr &si)
+      : ob::Planner(si, "MFA")
     {
         specs_.recognizedGoal = ob::GOAL_REGION;
         specs_.approximateSolutions = true;
@@ -77,9 +78,8 @@ namespace ompl_mfa
         query_->reset(*pdef_);
         incumbent_->reset(objective_);
         evaluator_ = std::make_unique<PathEvaluator>(si_, objective_);
-        evaluator_->setPartialPathEvent(
-            [this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
-            { offerPartial(path, motion, lastValid); });
+        evaluator_->setPartialPathEvent([this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
+                                        { offerPartial(path, motion, lastValid); });
         runSeed_ = seed_ != 0 ? seed_ : static_cast<std::uint64_t>(rng_.uniformInt(1, 1 << 30));
     }
 
@@ -123,10 +123,10 @@ namespace ompl_mfa
             {
                 const ob::State *start = query_->starts()[i];
                 const ob::State *goal = query_->goals()[j];
-                const ob::Cost bound = objective_->combineCosts(
-                    objective_->combineCosts(objective_->initialCost(start),
-                                             objective_->motionCostHeuristic(start, goal)),
-                    objective_->terminalCost(goal));
+                const ob::Cost bound =
+                    objective_->combineCosts(objective_->combineCosts(objective_->initialCost(start),
+                                                                      objective_->motionCostHeuristic(start, goal)),
+                                             objective_->terminalCost(goal));
                 if (objective_->isCostBetterThan(bound, ob::Cost(incumbent_->cost())))
                     return false;
             }

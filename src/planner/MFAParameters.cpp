@@ -78,8 +78,8 @@ namespace ompl_mfa
     void MFA::setSlices(unsigned int slices)
     {
         if (slices < 1 || slices > MAX_SLICES)
-            throw ompl::Exception("MFA", "slices = " + std::to_string(slices) + ": accepted is 1 to " +
-                                             std::to_string(MAX_SLICES));
+            throw ompl::Exception(
+                "MFA", "slices = " + std::to_string(slices) + ": accepted is 1 to " + std::to_string(MAX_SLICES));
         slices_ = slices;
     }
 

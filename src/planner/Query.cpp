@@ -21,7 +21,11 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    Query::Query(const ob::StateSpacePtr &space) : starts_(space), goals_(space), askedStarts_(space), askedGoal_(space)
+    Query::Query(const ob::StateSpacePtr &space)
+      : starts_(space)
+      , goals_(space)
+      , askedStarts_(space)
+      , askedGoal_(space)
     {
     }
 

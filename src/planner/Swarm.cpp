@@ -25,8 +25,7 @@ namespace ompl_mfa
     {
         const FireflyOptimizer &old = *fireflies_;
         ++epoch_;
-        auto fresh =
-            std::make_unique<FireflyOptimizer>(old.settings(), frame_.lower(), frame_.upper(), seed_ + epoch_);
+        auto fresh = std::make_unique<FireflyOptimizer>(old.settings(), frame_.lower(), frame_.upper(), seed_ + epoch_);
         fresh->inject(old.best());
         const std::size_t elites = old.order().size() / 5;
         for (std::size_t i = 1; i < elites; ++i)

@@ -25,7 +25,9 @@ namespace ompl_mfa
         /** \brief \e setter throws ompl::Exception for a value that is not accepted; \e range is OMPL's range
             suggestion. */
         RangedParam(const std::string &name, Setter setter, Getter getter, const std::string &range)
-          : GenericParam(name), setter_(std::move(setter)), getter_(std::move(getter))
+          : GenericParam(name)
+          , setter_(std::move(setter))
+          , getter_(std::move(getter))
         {
             setRangeSuggestion(range);
         }
