@@ -1,0 +1,51 @@
+#include "cli/NearestName.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ompl_mfa/InputError.h"
+
+namespace
+{
+    /** \brief Levenshtein distance. */
+    std::size_t editDistance(const std::string &a, const std::string &b)
+    {
+        std::vector<std::size_t> row(b.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        for (std::size_t i = 0; i < a.size(); ++i)
+        {
+            std::size_t diagonal = row[0];
+            row[0] = i + 1;
+            for (std::size_t j = 0; j < b.size(); ++j)
+            {
+                const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+                diagonal = row[j + 1];
+                row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
+            }
+        }
+        return row.back();
+    }
+}  // namespace
+
+std::string ompl_mfa::cli::describeUnknown(const std::string &kind, const std::string &name,
+                                           const std::vector<std::string> &accepted)
+{
+    std::string message = "unknown " + kind + " '" + name + "'; ";
+    const auto nearest =
+        std::min_element(accepted.begin(), accepted.end(),
+                         [&](const auto &a, const auto &b) { return editDistance(name, a) < editDistance(name, b); });
+    // Farther than this, the guess is rather a distraction.
+    if (nearest != accepted.end() && editDistance(name, *nearest) <= std::max<std::size_t>(1, name.size() / 3))
+        message += "did you mean '" + *nearest + "'? ";
+    message += "accepted:";
+    for (std::size_t i = 0; i < accepted.size(); ++i)
+        message += (i == 0 ? " " : ", ") + accepted[i];
+    return message;
+}
+
+void ompl_mfa::cli::requireKnown(const std::string &kind, const std::string &name,
+                                 const std::vector<std::string> &accepted)
+{
+    if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
+        throw InputError(describeUnknown(kind, name, accepted));
+}

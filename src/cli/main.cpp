@@ -1,0 +1,128 @@
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <ompl/util/Console.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/Commands.h"
+#include "cli/NearestName.h"
+#include "ompl_mfa/InputError.h"
+
+namespace
+{
+    constexpr int FAILURE = 1;
+    constexpr int BAD_INPUT = 2;
+
+    /** \brief Keeps OMPL's messages away from standard output, which belongs to the result. */
+    class StandardErrorOutput : public ompl::msg::OutputHandler
+    {
+    public:
+        void log(const std::string &text, ompl::msg::LogLevel /*level*/, const char * /*filename*/,
+                 int /*line*/) override
+        {
+            std::cerr << text << std::endl;
+        }
+    };
+
+    int report(const char *message, int status) noexcept
+    {
+        std::fputs("ompl_mfa: ", stderr);
+        for (; *message != '\0'; ++message)
+            std::fputc(*message == '\n' ? ' ' : *message, stderr);
+        std::fputc('\n', stderr);
+        return status;
+    }
+
+    std::vector<std::string> commandNames(const CLI::App &app)
+    {
+        std::vector<std::string> names;
+        for (const auto *command : app.get_subcommands([](const CLI::App *) { return true; }))
+            names.push_back(command->get_name());
+        return names;
+    }
+
+    std::vector<std::string> optionNames(const CLI::App &app)
+    {
+        std::vector<std::string> names;
+        for (const auto *option : app.get_options())
+        {
+            for (const auto &name : option->get_lnames())
+                names.push_back("--" + name);
+        }
+        return names;
+    }
+
+    /** \brief What CLI11 did not expect, with what it would have accepted there. */
+    std::string describeExtra(const CLI::App &app)
+    {
+        const auto parsed = app.get_subcommands();
+        const CLI::App &innermost = parsed.empty() ? app : *parsed.back();
+        const std::string extra = app.remaining(true).front();
+        if (extra.front() == '-')
+        {
+            const std::string name = extra.substr(0, extra.find('='));
+            return ompl_mfa::cli::describeUnknown("option", name, optionNames(innermost));
+        }
+        if (parsed.empty())
+            return ompl_mfa::cli::describeUnknown("command", extra, commandNames(app));
+        return "unexpected argument '" + extra + "' of '" + innermost.get_name() + "'";
+    }
+
+    int handleParseError(const CLI::App &app, const CLI::ParseError &error)
+    {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+            return app.exit(error);
+        if (error.get_name() == "RuntimeError")
+            return error.get_exit_code();
+        if (!app.remaining(true).empty())
+            return report(describeExtra(app).c_str(), BAD_INPUT);
+        if (app.get_subcommands().empty())
+            return report((error.what() + std::string("; run 'ompl_mfa --help' for the list")).c_str(), BAD_INPUT);
+        return report(error.what(), BAD_INPUT);
+    }
+
+    int run(int argc, char **argv)
+    {
+        CLI::App app{"Modified Firefly Algorithm planning for OMPL", "ompl_mfa"};
+        app.set_version_flag("--version", "ompl_mfa " OMPL_MFA_VERSION);
+        app.require_subcommand(1);
+        ompl_mfa::cli::addOptimizeCommand(app);
+
+        static StandardErrorOutput output;
+        ompl::msg::useOutputHandler(&output);
+        ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+        try
+        {
+            app.parse(argc, argv);
+        }
+        catch (const CLI::ParseError &error)
+        {
+            return handleParseError(app, error);
+        }
+        return 0;
+    }
+}  // namespace
+
+int main(int argc, char **argv)
+{
+    try
+    {
+        return run(argc, argv);
+    }
+    catch (const ompl_mfa::InputError &error)
+    {
+        return report(error.what(), BAD_INPUT);
+    }
+    catch (const std::invalid_argument &error)
+    {
+        return report(error.what(), BAD_INPUT);
+    }
+    catch (const std::exception &error)
+    {
+        return report(error.what(), FAILURE);
+    }
+}
