@@ -48,6 +48,8 @@ namespace ompl_mfa::collision
         }
 
     private:
+        const fcl::Transform3d *place(const ompl::base::State *state) const;
+
         StatePlacement placement_;
         CollisionQuery query_;
     };

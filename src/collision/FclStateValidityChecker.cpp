@@ -1,0 +1,65 @@
+#include "ompl_mfa/collision/FclStateValidityChecker.h"
+
+#include <limits>
+
+#include "ompl_mfa/InputError.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        std::vector<RigidBody> single(RigidBody body)
+        {
+            std::vector<RigidBody> bodies;
+            bodies.push_back(std::move(body));
+            return bodies;
+        }
+    }  // namespace
+
+    FclStateValidityChecker::FclStateValidityChecker(const ob::SpaceInformationPtr &si,
+                                                     std::shared_ptr<const Scene> scene, std::vector<RigidBody> bodies)
+      : ob::StateValidityChecker(si)
+      , placement_(si->getStateSpace())
+      , query_(std::move(scene), std::move(bodies))
+    {
+        if (placement_.bodyCount() != query_.bodies().size())
+        {
+            throw InputError("state space '" + si->getStateSpace()->getName() + "' places " +
+                             std::to_string(placement_.bodyCount()) + " bodies; " +
+                             std::to_string(query_.bodies().size()) + " were given");
+        }
+        specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
+    }
+
+    FclStateValidityChecker::FclStateValidityChecker(const ob::SpaceInformationPtr &si,
+                                                     std::shared_ptr<const Scene> scene, RigidBody body)
+      : FclStateValidityChecker(si, std::move(scene), single(std::move(body)))
+    {
+    }
+
+    const fcl::Transform3d *FclStateValidityChecker::place(const ob::State *state) const
+    {
+        thread_local std::vector<fcl::Transform3d> poses;
+        if (poses.size() < placement_.bodyCount())
+        {
+            poses.resize(placement_.bodyCount());
+        }
+        for (std::size_t body = 0; body < placement_.bodyCount(); ++body)
+        {
+            placement_.place(state, body, poses[body]);
+        }
+        return poses.data();
+    }
+
+    bool FclStateValidityChecker::isValid(const ob::State *state) const
+    {
+        return si_->satisfiesBounds(state) && !query_.collides(place(state));
+    }
+
+    double FclStateValidityChecker::clearance(const ob::State *state) const
+    {
+        return query_.distance(place(state), std::numeric_limits<double>::infinity());
+    }
+}  // namespace ompl_mfa::collision

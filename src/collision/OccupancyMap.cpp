@@ -1,0 +1,216 @@
+#include "ompl_mfa/collision/OccupancyMap.h"
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include <octomap/octomap.h>
+
+#include "ompl_mfa/InputError.h"
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        const std::string binaryHeader = "# Octomap OcTree binary file";
+        const std::string fullHeader = "# Octomap OcTree file";
+        constexpr unsigned int treeDepth = 16;
+
+        // OctoMap itself reads on past the end of a truncated file and recurses as deep as a broken one tells it to.
+        // So the nodes are walked first, with nothing but their lists of children.
+        class NodeWalk
+        {
+        public:
+            NodeWalk(const std::string &content, std::size_t position, bool binary)
+              : content_(content)
+              , position_(position)
+              , binary_(binary)
+            {
+            }
+
+            // Counts nodes; false where the file ends early or a branch is deeper than an OctoMap can be.
+            bool walk(unsigned int depth = 0)
+            {
+                ++nodes_;
+                return binary_ ? walkBinary(depth) : walkFull(depth);
+            }
+
+            std::size_t nodes() const
+            {
+                return nodes_;
+            }
+
+        private:
+            bool walkBinary(unsigned int depth)
+            {
+                if (position_ + 2 > content_.size() || depth >= treeDepth)
+                {
+                    return false;
+                }
+                const unsigned int bits = byte(position_) | (byte(position_ + 1) << 8U);
+                position_ += 2;
+                for (unsigned int child = 0; child < 8; ++child)
+                {
+                    const unsigned int state = (bits >> (2 * child)) & 3U;
+                    nodes_ += state == 1 || state == 2 ? 1 : 0;
+                    if (state == 3 && !walk(depth + 1))
+                    {
+                        return false;
+                    }
+                }
+                return true;
+            }
+
+            bool walkFull(unsigned int depth)
+            {
+                if (position_ + sizeof(float) + 1 > content_.size() || depth > treeDepth)
+                {
+                    return false;
+                }
+                const unsigned int children = byte(position_ + sizeof(float));
+                position_ += sizeof(float) + 1;
+                for (unsigned int child = 0; child < 8; ++child)
+                {
+                    if (((children >> child) & 1U) != 0 && !walk(depth + 1))
+                    {
+                        return false;
+                    }
+                }
+                return true;
+            }
+
+            unsigned int byte(std::size_t position) const
+            {
+                return static_cast<unsigned char>(content_[position]);
+            }
+
+            const std::string &content_;
+            std::size_t position_;
+            bool binary_;
+            std::size_t nodes_{0};
+        };
+
+        struct Header
+        {
+            bool binary{false};
+            std::string id;
+            double resolution{0.};
+            std::size_t nodes{0};
+            std::size_t bodyStart{0};
+        };
+
+        [[noreturn]] void fail(const std::filesystem::path &file, std::size_t line, const std::string &fault)
+        {
+            throw InputError(file.string() + ":" + std::to_string(line) + ": " + fault);
+        }
+
+        Header readHeader(const std::string &content, const std::filesystem::path &file)
+        {
+            std::istringstream stream(content);
+            std::string line;
+            std::getline(stream, line);
+            Header header;
+            header.binary = line.compare(0, binaryHeader.size(), binaryHeader) == 0;
+            if (!header.binary && line.compare(0, fullHeader.size(), fullHeader) != 0)
+            {
+                fail(file, 1,
+                     "not an OctoMap of version 1.0 or newer: the first line must begin with '" + binaryHeader +
+                         "' (.bt) or '" + fullHeader + "' (.ot)");
+            }
+            for (std::size_t number = 2; std::getline(stream, line); ++number)
+            {
+                std::istringstream words(line);
+                std::string key;
+                words >> key;
+                if (key == "data")
+                {
+                    header.bodyStart = static_cast<std::size_t>(stream.tellg());
+                    return header;
+                }
+                const bool read = key == "id"     ? bool(words >> header.id)
+                                  : key == "size" ? bool(words >> header.nodes)
+                                  : key == "res"  ? bool(words >> header.resolution)
+                                                  : key.empty() || key[0] == '#';
+                if (!read)
+                {
+                    fail(file, number,
+                         "unknown OctoMap header '" + line.substr(0, 60) + "'; accepted are id, size, res, data");
+                }
+            }
+            fail(file, 1, "OctoMap header has no 'data' line");
+        }
+
+        void checkHeader(const Header &header, const std::filesystem::path &file)
+        {
+            // Old files call the same tree "1".
+            if (header.id != "OcTree" && header.id != "1")
+            {
+                fail(file, 1, "OctoMap holds a tree of type '" + header.id + "'; accepted is OcTree");
+            }
+            if (!(header.resolution > 0.))
+            {
+                fail(file, 1, "OctoMap resolution 'res' must be greater than 0");
+            }
+        }
+
+        std::shared_ptr<octomap::OcTree> readTree(const std::string &content, const Header &header)
+        {
+            auto tree = std::make_shared<octomap::OcTree>(header.resolution);
+            std::istringstream body(content.substr(header.bodyStart));
+            if (header.binary)
+            {
+                tree->readBinaryData(body);
+            }
+            else
+            {
+                tree->readData(body);
+            }
+            return tree;
+        }
+
+        bool hasOccupiedCell(const octomap::OcTree &tree)
+        {
+            for (auto cell = tree.begin_leafs(); cell != tree.end_leafs(); ++cell)
+            {
+                if (tree.isNodeOccupied(*cell))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }  // namespace
+
+    std::shared_ptr<fcl::OcTree<double>> loadOccupancyMap(const std::filesystem::path &file)
+    {
+        std::ifstream stream(file, std::ios::binary);
+        if (!stream || !std::filesystem::is_regular_file(file))
+        {
+            throw InputError(file.string() + ": OctoMap file not found");
+        }
+        const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+        const Header header = readHeader(content, file);
+        checkHeader(header, file);
+        NodeWalk nodes(content, header.bodyStart, header.binary);
+        if (header.nodes > 0 && !nodes.walk())
+        {
+            throw InputError(file.string() + ": OctoMap is truncated or broken after " + std::to_string(nodes.nodes()) +
+                             " of " + std::to_string(header.nodes) + " nodes");
+        }
+        if (nodes.nodes() != header.nodes)
+        {
+            throw InputError(file.string() + ": OctoMap has " + std::to_string(nodes.nodes()) +
+                             " nodes, its header says size " + std::to_string(header.nodes));
+        }
+        const std::shared_ptr<octomap::OcTree> tree =
+            header.nodes > 0 ? readTree(content, header) : std::make_shared<octomap::OcTree>(header.resolution);
+        if (!hasOccupiedCell(*tree))
+        {
+            throw InputError(file.string() + ": OctoMap has no occupied cell");
+        }
+        auto map = std::make_shared<fcl::OcTree<double>>(std::shared_ptr<const octomap::OcTree>(tree));
+        map->computeLocalAABB();
+        return map;
+    }
+}  // namespace ompl_mfa::collision

@@ -1,0 +1,102 @@
+#include "ompl_mfa/collision/StatePlacement.h"
+
+#include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+
+#include "ompl_mfa/InputError.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        template <typename Space>
+        bool is(const ob::StateSpacePtr &space)
+        {
+            return dynamic_cast<const Space *>(space.get()) != nullptr;
+        }
+    }  // namespace
+
+    StatePlacement::StatePlacement(const ob::StateSpacePtr &space)
+    {
+        std::vector<unsigned int> path;
+        collect(space, path);
+    }
+
+    void StatePlacement::collect(const ob::StateSpacePtr &space, std::vector<unsigned int> &path)
+    {
+        if (is<ob::SE3StateSpace>(space))
+        {
+            components_.push_back({Kind::SE3, path});
+        }
+        else if (is<ob::SE2StateSpace>(space))
+        {
+            components_.push_back({Kind::SE2, path});
+            straight_ = straight_ && !is<ob::DubinsStateSpace>(space) && !is<ob::ReedsSheppStateSpace>(space);
+        }
+        else if (is<ob::RealVectorStateSpace>(space) && (space->getDimension() == 2 || space->getDimension() == 3))
+        {
+            components_.push_back({space->getDimension() == 2 ? Kind::R2 : Kind::R3, path});
+        }
+        else if (space->isCompound() && space->as<ob::CompoundStateSpace>()->getSubspaceCount() > 0)
+        {
+            const auto *compound = space->as<ob::CompoundStateSpace>();
+            for (unsigned int i = 0; i < compound->getSubspaceCount(); ++i)
+            {
+                path.push_back(i);
+                collect(compound->getSubspace(i), path);
+                path.pop_back();
+            }
+        }
+        else
+        {
+            throw InputError("state space '" + space->getName() + "' of dimension " +
+                             std::to_string(space->getDimension()) +
+                             " does not place a rigid body; accepted are R^2, R^3, SE(2), SE(3) and compounds of them");
+        }
+    }
+
+    void StatePlacement::place(const ob::State *state, std::size_t body, fcl::Transform3d &pose) const
+    {
+        const Component &component = components_[body];
+        for (const unsigned int index : component.path)
+        {
+            state = static_cast<const ob::CompoundState *>(state)->components[index];
+        }
+        pose.setIdentity();
+        switch (component.kind)
+        {
+            case Kind::R2:
+            {
+                const double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                pose.translation() << values[0], values[1], 0.;
+                break;
+            }
+            case Kind::R3:
+            {
+                const double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                pose.translation() << values[0], values[1], values[2];
+                break;
+            }
+            case Kind::SE2:
+            {
+                const auto *se2 = state->as<ob::SE2StateSpace::StateType>();
+                pose.translation() << se2->getX(), se2->getY(), 0.;
+                pose.linear() = Eigen::AngleAxisd(se2->getYaw(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+                break;
+            }
+            case Kind::SE3:
+            {
+                const auto *se3 = state->as<ob::SE3StateSpace::StateType>();
+                const auto &q = se3->rotation();
+                pose.translation() << se3->getX(), se3->getY(), se3->getZ();
+                pose.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+                break;
+            }
+        }
+    }
+}  // namespace ompl_mfa::collision

@@ -1,0 +1,119 @@
+#include "ompl_mfa/collision/TriangleMesh.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include "ompl_mfa/InputError.h"
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        struct VertexSum
+        {
+            fcl::Vector3d sum{fcl::Vector3d::Zero()};
+            std::size_t count{0};
+        };
+
+        void appendMesh(const aiMesh &source, const aiMatrix4x4 &transform, TriangleMesh &mesh, VertexSum &all)
+        {
+            const std::size_t first = mesh.vertices.size();
+            const bool hasTriangles = (source.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0;
+            for (unsigned int i = 0; i < source.mNumVertices; ++i)
+            {
+                const aiVector3D v = transform * source.mVertices[i];
+                const fcl::Vector3d vertex(v.x, v.y, v.z);
+                all.sum += vertex;
+                ++all.count;
+                if (hasTriangles)
+                {
+                    mesh.vertices.push_back(vertex);
+                }
+            }
+            for (unsigned int i = 0; hasTriangles && i < source.mNumFaces; ++i)
+            {
+                const aiFace &face = source.mFaces[i];
+                if (face.mNumIndices == 3)
+                {
+                    mesh.triangles.emplace_back(first + face.mIndices[0], first + face.mIndices[1],
+                                                first + face.mIndices[2]);
+                }
+            }
+        }
+
+        void appendNode(const aiScene &scene, const aiNode &node, const aiMatrix4x4 &parent, TriangleMesh &mesh,
+                        VertexSum &all)
+        {
+            const aiMatrix4x4 transform = parent * node.mTransformation;
+            for (unsigned int i = 0; i < node.mNumMeshes; ++i)
+            {
+                appendMesh(*scene.mMeshes[node.mMeshes[i]], transform, mesh, all);
+            }
+            for (unsigned int i = 0; i < node.mNumChildren; ++i)
+            {
+                appendNode(scene, *node.mChildren[i], transform, mesh, all);
+            }
+        }
+
+        void requireFinite(const TriangleMesh &mesh, const std::string &file)
+        {
+            for (const fcl::Vector3d &vertex : mesh.vertices)
+            {
+                if (!vertex.allFinite())
+                {
+                    throw InputError(file + ": mesh has a vertex with a coordinate that is not a finite number");
+                }
+            }
+        }
+    }  // namespace
+
+    TriangleMesh loadMesh(const std::filesystem::path &file)
+    {
+        if (!std::filesystem::is_regular_file(file))
+        {
+            throw InputError(file.string() + ": mesh file not found");
+        }
+        Assimp::Importer importer;
+        const aiScene *scene = importer.ReadFile(file.string(), aiProcess_GenNormals | aiProcess_Triangulate |
+                                                                    aiProcess_JoinIdenticalVertices |
+                                                                    aiProcess_SortByPType | aiProcess_OptimizeGraph);
+        if (scene == nullptr || scene->mRootNode == nullptr)
+        {
+            throw InputError(file.string() + ": not a readable mesh: " + importer.GetErrorString());
+        }
+        TriangleMesh mesh;
+        VertexSum all;
+        appendNode(*scene, *scene->mRootNode, aiMatrix4x4(), mesh, all);
+        if (mesh.triangles.empty())
+        {
+            throw InputError(file.string() + ": mesh has no triangles");
+        }
+        requireFinite(mesh, file.string());
+        mesh.vertexMean = all.sum / static_cast<double>(all.count);
+        return mesh;
+    }
+
+    std::shared_ptr<MeshGeometry> makeMeshGeometry(const TriangleMesh &mesh, const fcl::Vector3d &offset)
+    {
+        if (mesh.triangles.empty())
+        {
+            throw std::invalid_argument("makeMeshGeometry: a mesh needs at least one triangle");
+        }
+        std::vector<fcl::Vector3d> vertices = mesh.vertices;
+        for (fcl::Vector3d &vertex : vertices)
+        {
+            vertex += offset;
+        }
+        auto geometry = std::make_shared<MeshGeometry>();
+        geometry->beginModel(static_cast<int>(mesh.triangles.size()), static_cast<int>(vertices.size()));
+        geometry->addSubModel(vertices, mesh.triangles);
+        geometry->endModel();
+        geometry->computeLocalAABB();
+        return geometry;
+    }
+}  // namespace ompl_mfa::collision
