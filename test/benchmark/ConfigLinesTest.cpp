@@ -1,0 +1,108 @@
+#include "ompl_mfa/benchmark/ConfigLines.h"
+
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "benchmark/InputErrorOf.h"
+
+namespace
+{
+    using ompl_mfa::ConfigEntry;
+    using ompl_mfa::test::inputErrorOf;
+
+    std::vector<ConfigEntry> read(const std::string &text)
+    {
+        std::istringstream in(text);
+        return ompl_mfa::readConfigLines(in, "a.cfg");
+    }
+
+    ConfigEntry valued(const std::string &value)
+    {
+        return {"key", value, "a.cfg:3"};
+    }
+
+    TEST(ConfigLines, KeepsSectionsOrderAndLineNumbers)
+    {
+        const auto entries =
+            read("# a comment\n\n[Problem]\n name = Two words # and why\nWorld=a=b.dae\n[planner]\nprm=\n");
+        ASSERT_EQ(entries.size(), 3u);
+        EXPECT_EQ(entries[0].key, "problem.name");
+        EXPECT_EQ(entries[0].value, "Two words");
+        EXPECT_EQ(entries[0].origin, "a.cfg:4");
+        EXPECT_EQ(entries[1].key, "problem.world");
+        EXPECT_EQ(entries[1].value, "a=b.dae");
+        EXPECT_EQ(entries[2].key, "planner.prm");
+        EXPECT_EQ(entries[2].value, "");
+        EXPECT_EQ(entries[2].origin, "a.cfg:7");
+    }
+
+    TEST(ConfigLines, AcceptsByteOrderMarkAndWindowsLineEnds)
+    {
+        const auto entries = read("\xEF\xBB\xBF[problem]\r\nname=x\r\n");
+        ASSERT_EQ(entries.size(), 1u);
+        EXPECT_EQ(entries[0].key, "problem.name");
+        EXPECT_EQ(entries[0].value, "x");
+    }
+
+    TEST(ConfigLines, KeepsRepeatedKeys)
+    {
+        EXPECT_EQ(read("[planner]\nprm=\nprm=\n").size(), 2u);
+    }
+
+    TEST(ConfigLines, NamesTheLineThatIsNeitherSectionNorEntry)
+    {
+        EXPECT_EQ(inputErrorOf([] { read("[problem]\nname = x\nstart.x 3\n"); }),
+                  "a.cfg:3: 'start.x 3' is neither '[section]' nor 'key = value'");
+        EXPECT_EQ(inputErrorOf([] { read("[problem\n"); }), "a.cfg:1: '[problem' has no closing ']'");
+        EXPECT_EQ(inputErrorOf([] { read(" = 3\n"); }), "a.cfg:1: '= 3' has no key before '='");
+        EXPECT_EQ(inputErrorOf([] { read(std::string("na\0me = 3\n", 10)); }),
+                  "a.cfg:1: a NUL character; the file is to be UTF-8 text");
+    }
+
+    TEST(ConfigLines, RealValueTakesNothingButAFiniteNumber)
+    {
+        EXPECT_EQ(ompl_mfa::realValue(valued("-0.5e1")), -5.0);
+        EXPECT_EQ(ompl_mfa::realValue(valued("+2")), 2.0);
+        for (const char *text : {"", "1.0x", "0x10", "1,5", "nan", "inf", "-inf", "1e999", "one"})
+            EXPECT_EQ(inputErrorOf([&] { ompl_mfa::realValue(valued(text)); }),
+                      "a.cfg:3: key = " + std::string(text) + ": expected a finite number");
+    }
+
+    TEST(ConfigLines, PositiveValueIsAboveZero)
+    {
+        EXPECT_EQ(ompl_mfa::positiveValue(valued("0.1")), 0.1);
+        EXPECT_EQ(inputErrorOf([] { ompl_mfa::positiveValue(valued("0")); }),
+                  "a.cfg:3: key = 0: expected a number above 0");
+        EXPECT_NE(inputErrorOf([] { ompl_mfa::positiveValue(valued("-1")); }), "");
+    }
+
+    TEST(ConfigLines, WholeValueStaysInItsRange)
+    {
+        EXPECT_EQ(ompl_mfa::wholeValue(valued("4294967295"), 1, 4294967295), 4294967295u);
+        for (const char *text : {"0", "-1", "4294967296", "99999999999999999999999", "1.0", "1e3", ""})
+            EXPECT_EQ(inputErrorOf([&] { ompl_mfa::wholeValue(valued(text), 1, 4294967295); }),
+                      "a.cfg:3: key = " + std::string(text) + ": expected a whole number from 1 to 4294967295");
+    }
+
+    TEST(ConfigLines, SwitchValueKnowsBothSides)
+    {
+        for (const char *text : {"1", "true", "Yes", "ON"})
+            EXPECT_TRUE(ompl_mfa::switchValue(valued(text))) << text;
+        for (const char *text : {"0", "false", "no", "off"})
+            EXPECT_FALSE(ompl_mfa::switchValue(valued(text))) << text;
+        EXPECT_EQ(inputErrorOf([] { ompl_mfa::switchValue(valued("2")); }),
+                  "a.cfg:3: key = 2: expected one of 0, 1, false, true, no, yes, off, on");
+    }
+
+    TEST(ConfigLines, NearestNameIsTheLeastEditedOne)
+    {
+        const std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm", "prmstar"};
+        EXPECT_EQ(ompl_mfa::nearestName("rrtconect", known), "rrtconnect");
+        EXPECT_EQ(ompl_mfa::nearestName("prm*", known), "prm");
+        EXPECT_EQ(ompl_mfa::nearestName("rttstar", known), "rrtstar");
+        EXPECT_EQ(ompl_mfa::nearestName("zzzzzzzzzzzzzzzz", known), "");
+        EXPECT_EQ(ompl_mfa::suggestion("prn", known), "; did you mean 'prm'?");
+        EXPECT_EQ(ompl_mfa::suggestion("zzzzzzzzzzzzzzzz", known), "; known are rrtconnect, rrtstar, prm, prmstar");
+    }
+}  // namespace
