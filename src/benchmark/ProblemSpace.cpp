@@ -1,11 +1,14 @@
 #include "ompl_mfa/benchmark/ProblemSpace.h"
 
 #include <cmath>
+#include <numeric>
 #include <sstream>
+#include <vector>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/RealVectorStateProjections.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -22,6 +25,16 @@ namespace ompl_mfa
         {
             space->setBounds(bounds);
             return space;
+        }
+
+        /* All coordinates as they are. OMPL's own choices are an identity that aborts in 1.5.2 (its vector is taken to
+           be as long as its size in bytes) and, above two dimensions, random directions. */
+        void registerIdentityProjection(const ob::StateSpacePtr &space)
+        {
+            std::vector<unsigned int> components(space->getDimension());
+            std::iota(components.begin(), components.end(), 0U);
+            space->registerDefaultProjection(
+                std::make_shared<ob::RealVectorOrthogonalProjectionEvaluator>(space, components));
         }
 
         /* OMPL wants angles in [-pi, pi] and aborts on others. */
