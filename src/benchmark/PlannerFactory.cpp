@@ -210,4 +210,10 @@ namespace ompl_mfa
             setParameter(*planner, spec, parameter, entry.isOwn);
         return planner;
     }
+
+    void seedPlanner(ob::Planner &planner, std::uint_fast32_t seed)
+    {
+        if (planner.params().hasParam("seed"))
+            planner.params().setParam("seed", std::to_string(seed));
+    }
 }  // namespace ompl_mfa

@@ -45,6 +45,7 @@
 
 #include "ompl_mfa/OmplCompatibility.h"
 #include "ompl_mfa/benchmark/PositionTaskSpace.h"
+#include "ompl_mfa/planner/MFA.h"
 
 #ifdef OMPL_MFA_HAS_EITSTAR
 #include <ompl/geometric/planners/informedtrees/EITstar.h>
@@ -109,6 +110,27 @@ namespace ompl_mfa
                         std::vector<ob::SpaceInformationPtr> levels{si};
                         return std::make_shared<Planner>(levels);
                     }};
+        }
+
+        PlannerEntry paperEntry(const std::string &title, const std::string &variant)
+        {
+            PlannerEntry made = entry<MFA>(title);
+            made.allocate = [variant](const ob::SpaceInformationPtr &si) -> ob::PlannerPtr
+            {
+                auto planner = std::make_shared<MFA>(si);
+                planner->setVariant(variant);
+                return planner;
+            };
+            made.isOwn = true;
+            return made;
+        }
+
+        void addOwnPlanners(std::map<std::string, PlannerEntry> &table)
+        {
+            table["mfa"] = entry<MFA>("MFA");
+            table["mfa"].isOwn = true;
+            table["mfa_paper"] = paperEntry("MFA-paper", "mfa");
+            table["fa_paper"] = paperEntry("FA-paper", "fa");
         }
 
         ob::PlannerPtr allocateTSRRT(const ob::SpaceInformationPtr &si)
@@ -206,6 +228,7 @@ namespace ompl_mfa
         std::map<std::string, PlannerEntry> makeTable()
         {
             std::map<std::string, PlannerEntry> table;
+            addOwnPlanners(table);
             addTreePlanners(table);
             addRoadmapPlanners(table);
             addOptimizingPlanners(table);

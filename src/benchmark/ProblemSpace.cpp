@@ -57,8 +57,9 @@ namespace ompl_mfa
         {
             case StateSpaceKind::R2:
             case StateSpaceKind::R3:
-                return bounded(std::make_shared<ob::RealVectorStateSpace>(static_cast<unsigned int>(bounds.low.size())),
-                               bounds);
+                space = bounded(std::make_shared<ob::RealVectorStateSpace>(positionDimension(problem.space)), bounds);
+                registerIdentityProjection(space);
+                return space;
             case StateSpaceKind::DUBINS:
                 return bounded(std::make_shared<ob::DubinsStateSpace>(radius), bounds);
             case StateSpaceKind::DUBINS_SYMMETRIC:

@@ -1,6 +1,7 @@
 #ifndef OMPL_MFA_BENCHMARK_PLANNER_FACTORY_
 #define OMPL_MFA_BENCHMARK_PLANNER_FACTORY_
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ namespace ompl_mfa
         what is accepted, for an unknown planner or parameter (with the nearest known name), for a value that is not of
         the parameter's type or out of its range, and for a planner that cannot work in the space of \e si. */
     ompl::base::PlannerPtr createPlanner(const ompl::base::SpaceInformationPtr &si, const PlannerSpec &spec);
+
+    /** \brief Sets the planner's own `seed` parameter; does nothing to a planner that has none. */
+    void seedPlanner(ompl::base::Planner &planner, std::uint_fast32_t seed);
 }  // namespace ompl_mfa
 
 #endif
