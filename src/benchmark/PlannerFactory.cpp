@@ -13,6 +13,7 @@
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/PlannerTable.h"
+#include "ompl_mfa/planner/RangedParam.h"
 
 namespace ompl_mfa
 {
@@ -32,7 +33,9 @@ namespace ompl_mfa
         template <typename... Types>
         bool isOneOf(const ob::GenericParam &parameter)
         {
-            return ((dynamic_cast<const ob::SpecificParam<Types> *>(&parameter) != nullptr) || ...);
+            return ((dynamic_cast<const ob::SpecificParam<Types> *>(&parameter) ||
+                     dynamic_cast<const RangedParam<Types> *>(&parameter)) ||
+                    ...);
         }
 
         ValueType valueType(const ob::GenericParam &parameter)
@@ -105,8 +108,10 @@ namespace ompl_mfa
                 {
                     const double number = realValue(entry);
                     const bool isUnsigned = valueType(parameter) == ValueType::UNSIGNED;
-                    if (number != std::floor(number) || std::abs(number) > std::numeric_limits<int>::max() ||
-                        (isUnsigned && number < 0.0) || entry.value.find_first_of(".eE") != std::string::npos)
+                    const double most = isUnsigned ? std::numeric_limits<std::uint32_t>::max()
+                                                   : std::numeric_limits<std::int32_t>::max();
+                    if (number != std::floor(number) || number > most || number < (isUnsigned ? 0.0 : -most) ||
+                        entry.value.find_first_of(".eE") != std::string::npos)
                         failAt(entry, isUnsigned ? "expected a whole number of at least 0" : "expected a whole number");
                     checkRange(entry, range, number, isLimit);
                     return entry.value;

@@ -15,7 +15,6 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/benchmark/CountingValidityChecker.h"
 #include "ompl_mfa/benchmark/ObjectiveFactory.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemSpace.h"
@@ -234,7 +233,7 @@ namespace ompl_mfa
 
         auto setup = std::make_shared<og::SimpleSetup>(space);
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
-        collision::setCollisionChecking(si, std::make_shared<CountingValidityChecker>(si, world_, robot_),
+        collision::setCollisionChecking(si, std::make_shared<collision::FclStateValidityChecker>(si, world_, robot_),
                                         problem.motionValidation);
         if (const auto objective = makeObjective(si, problem))
             setup->setOptimizationObjective(objective);
@@ -263,10 +262,5 @@ namespace ompl_mfa
         if (seed == 0)
             throw InputError("seed = 0: expected a whole number from 1 to 4294967295");
         ompl::RNG::setSeed(seed);
-    }
-
-    std::uint_fast64_t checkedStates(const og::SimpleSetup &setup)
-    {
-        return static_cast<const CountingValidityChecker &>(*setup.getStateValidityChecker()).checkedStates();
     }
 }  // namespace ompl_mfa

@@ -38,7 +38,7 @@ namespace ompl_mfa
         }
 
         /** \brief A new problem, set up but for its planner; \e plannerContext overrides the context of the config, so
-            that nothing of one planner reaches the next. Its validity checker is a CountingValidityChecker.
+            that nothing of one planner reaches the next.
 
             Makes random number generators: setRandomSeed() comes before. Throws InputError when start or goal is out
             of bounds or collides, or when a context key or value is not accepted. */
@@ -56,9 +56,6 @@ namespace ompl_mfa
     /** \brief Seeds OMPL; runs repeat when this comes before the first random number generator of the process. Throws
         InputError for 0, which OMPL does not accept. */
     void setRandomSeed(std::uint_fast32_t seed);
-
-    /** \brief States that \e setup, made by a ProblemFactory, has checked so far. */
-    std::uint_fast64_t checkedStates(const ompl::geometric::SimpleSetup &setup);
 }  // namespace ompl_mfa
 
 #endif
