@@ -82,6 +82,7 @@ ompl_mfa::FireflyOptimizer::FireflyOptimizer(const Settings &settings, const Eig
     }
     brightness_.resize(size);
     order_.resize(size);
+    brighter_.resize(size);
     std::iota(order_.begin(), order_.end(), 0U);
     best_ = population_.col(0);
     moved_ = population_;
@@ -202,12 +203,12 @@ void ompl_mfa::FireflyOptimizer::move(unsigned int rank)
             x[k] += alphaNow * range_[k] * (random_.uniform() - 0.5);
         x = x.cwiseMax(lower_).cwiseMin(upper_);
     };
-    if (rank < brightestCount_)
+    if (brighter_[rank] == 0)
     {
         randomStep();
         return;
     }
-    for (unsigned int brighter = rank; brighter-- > 0;)
+    for (unsigned int brighter = brighter_[rank]; brighter-- > 0;)
     {
         const auto target = population_.col(order_[brighter]);
         // Eq. (3), squared, in coordinates scaled by their ranges.
@@ -328,10 +329,11 @@ void ompl_mfa::FireflyOptimizer::sortByBrightness(const ObjectiveFunction &objec
                       return true;
                   return a < b && !objective.isBrighter(brightness_[b], brightness_[a]);
               });
-    brightestCount_ = 1;
-    while (brightestCount_ < order_.size() &&
-           !objective.isBrighter(brightness_[order_.front()], brightness_[order_[brightestCount_]]))
-        ++brightestCount_;
+    for (std::size_t rank = 1; rank < order_.size(); ++rank)
+    {
+        const bool dimmer = objective.isBrighter(brightness_[order_[rank - 1]], brightness_[order_[rank]]);
+        brighter_[rank] = dimmer ? static_cast<unsigned int>(rank) : brighter_[rank - 1];
+    }
 }
 
 ompl_mfa::Brightness ompl_mfa::FireflyOptimizer::evaluate(ObjectiveFunction &objective,

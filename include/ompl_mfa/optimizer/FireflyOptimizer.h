@@ -231,8 +231,9 @@ namespace ompl_mfa
         std::vector<Brightness> brightness_;
         std::vector<unsigned int> order_;
 
-        /** \brief How many at the front of order_ share the greatest brightness. */
-        unsigned int brightestCount_{1};
+        /** \brief How many fireflies are strictly brighter than order_[rank]; those of equal brightness do not attract.
+         */
+        std::vector<unsigned int> brighter_;
         Eigen::VectorXd best_;
         Brightness bestBrightness_;
 

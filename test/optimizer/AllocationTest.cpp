@@ -1,0 +1,88 @@
+// The optimiser is compiled into this test with Eigen's allocation check, which a library cannot offer.
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+
+#define EIGEN_RUNTIME_NO_MALLOC
+#undef eigen_assert
+#define eigen_assert(condition)                   \
+    do                                            \
+    {                                             \
+        if (!(condition))                         \
+            throw std::runtime_error(#condition); \
+    } while (false)
+#include "../../src/optimizer/FireflyOptimizer.cpp"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+    int allocations = 0;
+}
+
+void *operator new(std::size_t size)
+{
+    ++allocations;
+    if (void *memory = std::malloc(size))
+        return memory;
+    throw std::bad_alloc();
+}
+
+void operator delete(void *memory) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t /*size*/) noexcept
+{
+    std::free(memory);
+}
+
+namespace
+{
+    class Sphere : public ompl_mfa::ObjectiveFunction
+    {
+    public:
+        ompl_mfa::Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x,
+                                      const ompl_mfa::Brightness * /*rival*/) override
+        {
+            return {0.0, x.squaredNorm()};
+        }
+    };
+}  // namespace
+
+TEST(FireflyOptimizerAllocation, aGenerationAllocatesNothing)
+{
+    for (const auto variant : {ompl_mfa::FireflyOptimizer::Variant::FA, ompl_mfa::FireflyOptimizer::Variant::MFA})
+    {
+        ompl_mfa::FireflyOptimizer::Settings settings;
+        settings.variant = variant;
+        settings.populationSize = 40;
+        settings.generations = 7;
+        ompl_mfa::FireflyOptimizer optimizer(settings, Eigen::VectorXd::Constant(19, -3.0),
+                                             Eigen::VectorXd::Constant(19, 8.0), 1);
+        Sphere sphere;
+        const ompl_mfa::FireflyOptimizer::StopCondition never = [] { return false; };
+        const Eigen::VectorXd origin = Eigen::VectorXd::Zero(19);
+        allocations = 0;
+        Eigen::internal::set_is_malloc_allowed(false);
+        for (int generation = 0; generation < 20; ++generation)
+            optimizer.step(sphere, never);
+        optimizer.inject(origin, {0.0, 0.0}, sphere);
+        optimizer.restartEpoch();
+        optimizer.step(sphere, never);
+        Eigen::internal::set_is_malloc_allowed(true);
+        EXPECT_EQ(allocations, 0);
+    }
+}
+
+TEST(FireflyOptimizerAllocation, theCheckSeesAllocations)
+{
+    Eigen::internal::set_is_malloc_allowed(false);
+    EXPECT_THROW(Eigen::VectorXd::Zero(100).eval(), std::runtime_error);
+    Eigen::internal::set_is_malloc_allowed(true);
+    allocations = 0;
+    delete new int(1);
+    std::vector<double> vector(100);
+    EXPECT_GE(allocations, 1);
+}
