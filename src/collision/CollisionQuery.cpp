@@ -1,166 +1,410 @@
 #include "ompl_mfa/collision/CollisionQuery.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
+#include <fcl/geometry/shape/sphere.h>
+
+#include "ConservativeAdvancement.h"
+#include "NarrowPhase.h"
+#include "ompl_mfa/collision/ClosedMesh.h"
 
 namespace ompl_mfa::collision
 {
+    namespace
+    {
+        const MeshGeometry *asMesh(const fcl::CollisionGeometryd &geometry)
+        {
+            return geometry.getNodeType() == fcl::BV_OBBRSS ? static_cast<const MeshGeometry *>(&geometry) : nullptr;
+        }
+
+        // A shape as a solid: its inside, where it is a closed mesh, and a point of each connected part of it.
+        struct Solid
+        {
+            Solid(const fcl::CollisionGeometryd &geometry, const std::string &name)
+            {
+                if (const MeshGeometry *mesh = asMesh(geometry))
+                {
+                    inside = std::make_unique<ClosedMesh>(*mesh, name);
+                    witnesses = ClosedMesh::partVertices(*mesh);
+                }
+                else if (geometry.getNodeType() != fcl::GEOM_OCTREE)
+                {
+                    witnesses.emplace_back(fcl::Vector3d::Zero());
+                }
+            }
+
+            // Whether a part of `other` is inside. Both are known not to touch each other's surface.
+            bool holds(const fcl::Transform3d &pose, const Solid &other, const fcl::Transform3d &otherPose) const
+            {
+                if (!inside)
+                {
+                    return false;
+                }
+                const fcl::Transform3d relative = pose.inverse() * otherPose;
+                return std::any_of(other.witnesses.begin(), other.witnesses.end(),
+                                   [this, &relative](const fcl::Vector3d &witness)
+                                   { return inside->contains(relative * witness); });
+            }
+
+            std::unique_ptr<ClosedMesh> inside;
+            std::vector<fcl::Vector3d> witnesses;
+        };
+
+        bool oneHoldsTheOther(const Solid &a, const fcl::Transform3d &poseA, const Solid &b,
+                              const fcl::Transform3d &poseB)
+        {
+            return a.holds(poseA, b, poseB) || b.holds(poseB, a, poseA);
+        }
+
+        // A ball that turns about its own centre stays where it is.
+        double displacedByRotation(const RigidBody::Shape &shape, bool planar)
+        {
+            if (shape.geometry->getNodeType() == fcl::GEOM_SPHERE)
+            {
+                return planar ? shape.pose.translation().head<2>().norm() : shape.pose.translation().norm();
+            }
+            const RigidBody alone({shape});
+            return planar ? alone.planarRadius() : alone.radius();
+        }
+
+        // The pose of every shape of the bodies, kept for the next query of the thread.
+        fcl::Transform3d *scratchPoses(std::size_t count)
+        {
+            thread_local std::vector<fcl::Transform3d> poses;
+            if (poses.size() < count)
+            {
+                poses.resize(count);
+            }
+            return poses.data();
+        }
+    }  // namespace
+
     // An obstacle with the tightest box around it; FCL's own box is a box around a sphere once there is a rotation.
     struct CollisionQuery::Obstacle : fcl::CollisionObjectd
     {
-        explicit Obstacle(const collision::CollisionObject &object)
+        Obstacle(const collision::CollisionObject &object, std::size_t position)
           : fcl::CollisionObjectd(object.geometry, object.pose)
+          , index(position)
+          , geometry(object.geometry.get())
+          , pose(object.pose)
         {
-            aabb = boundingBox(*object.geometry, object.pose);
+            aabb = boundingBox(*geometry, pose);
         }
+
+        MovingShape atRest() const
+        {
+            return {geometry, &pose};
+        }
+
+        std::size_t index;
+        const fcl::CollisionGeometryd *geometry;
+        fcl::Transform3d pose;
+        std::unique_ptr<Solid> solid;
     };
 
-    // One shape of a body. It owns no geometry, so that copying it, which every query does, counts no references.
-    struct CollisionQuery::Part
+    // One shape of a body. It owns no geometry, so that copying it, which a query does, counts no references.
+    struct CollisionQuery::Part : fcl::CollisionObjectd
     {
         Part(std::size_t bodyIndex, const RigidBody::Shape &shape)
-          : body(bodyIndex)
+          : fcl::CollisionObjectd(
+                std::shared_ptr<fcl::CollisionGeometryd>(std::shared_ptr<void>(), shape.geometry.get()))
+          , body(bodyIndex)
+          , geometry(shape.geometry.get())
           , pose(shape.pose)
-          , object(std::shared_ptr<fcl::CollisionGeometryd>(std::shared_ptr<void>(), shape.geometry.get()))
+          , isCentred(shape.pose.matrix().isIdentity(0.))
+          , radius(RigidBody({shape}).radius())
+          , reach(displacedByRotation(shape, false))
+          , planarReach(displacedByRotation(shape, true))
         {
         }
 
-        fcl::CollisionObjectd placed(const fcl::Transform3d *poses) const
+        void place(const fcl::Transform3d *poses, fcl::Transform3d &world) const
         {
-            fcl::CollisionObjectd copy(object);
-            copy.setTransform(poses[body] * pose);
-            copy.computeAABB();
-            return copy;
+            world = poses[body];
+            if (!isCentred)
+            {
+                world = world * pose;
+            }
+        }
+
+        MovingShape moving(const BodyMotion *motions) const
+        {
+            const bool planar = motions[body].axis.head<2>().isZero(0.);
+            return {geometry, &pose, &motions[body], planar ? planarReach : reach};
         }
 
         std::size_t body;
+        const fcl::CollisionGeometryd *geometry;
         fcl::Transform3d pose;
-        fcl::CollisionObjectd object;
+        bool isCentred;
+        double radius;
+        double reach;
+        double planarReach;
+
+        // How it is checked against each obstacle, and against each part.
+        std::vector<PairFunctions> obstacleFunctions;
+        std::vector<PairFunctions> partFunctions;
+        std::unique_ptr<Solid> solid;
     };
 
     namespace
     {
-        // FCL keeps the contact that it finds in a vector: its memory is kept for the next query of the thread.
-        fcl::CollisionResultd &clearedResult()
+        // What the broadphase sees of a part. Its box is that of FCL, or the one that it sweeps.
+        struct PlacedShape : fcl::CollisionObjectd
         {
-            thread_local fcl::CollisionResultd result;
-            result.clear();
-            return result;
-        }
+            PlacedShape(const fcl::CollisionObjectd &shape, const fcl::Transform3d &world)
+              : fcl::CollisionObjectd(shape)
+            {
+                t = world;
+                computeAABB();
+            }
 
-        bool touch(const fcl::CollisionObjectd &a, const fcl::CollisionObjectd &b)
-        {
-            static const fcl::CollisionRequestd request;
-            return fcl::collide(&a, &b, request, clearedResult()) > 0;
-        }
-
-        bool collideCallback(fcl::CollisionObjectd *obstacle, fcl::CollisionObjectd *part, void *found)
-        {
-            bool &collision = *static_cast<bool *>(found);
-            collision = touch(*obstacle, *part);
-            return collision;
-        }
-
-        void shrinkDistance(const fcl::CollisionObjectd &a, const fcl::CollisionObjectd &b, double &smallest)
-        {
-            static const fcl::DistanceRequestd request;
-            fcl::DistanceResultd result(smallest);
-            fcl::distance(&a, &b, request, result);
-            smallest = std::min(smallest, std::max(0., result.min_distance));
-        }
-
-        bool distanceCallback(fcl::CollisionObjectd *obstacle, fcl::CollisionObjectd *part, void *smallest,
-                              double &searchRadius)
-        {
-            double &distance = *static_cast<double *>(smallest);
-            shrinkDistance(*obstacle, *part, distance);
-            searchRadius = distance;
-            return distance <= 0.;
-        }
+            PlacedShape(const fcl::CollisionObjectd &shape, const BodyMotion &motion, double radius)
+              : fcl::CollisionObjectd(shape)
+            {
+                const fcl::AABBd path(motion.start, motion.start + motion.displacement);
+                aabb.min_ = path.min_ - fcl::Vector3d::Constant(radius);
+                aabb.max_ = path.max_ + fcl::Vector3d::Constant(radius);
+            }
+        };
     }  // namespace
 
-    CollisionQuery::CollisionQuery(std::shared_ptr<const Scene> scene, std::vector<RigidBody> bodies)
+    // What a callback of the broadphase knows of the query that it serves.
+    struct CollisionQuery::PartQuery
+    {
+        const Part &part;
+        const fcl::Transform3d &world;
+        bool collision{false};
+        double smallest{0.};
+    };
+
+    struct CollisionQuery::Sweep
+    {
+        const BodyMotion *motions;
+        double tolerance;
+        bool untilFirst;
+        const Part *part{nullptr};
+        double reached{1.};
+
+        bool isDone() const
+        {
+            return reached <= 0. || (untilFirst && reached < 1.);
+        }
+
+        void advance(const PairFunctions &functions, const MovingShape &other)
+        {
+            reached = advancePair(functions, part->moving(motions), other, tolerance, reached);
+        }
+    };
+
+    CollisionQuery::CollisionQuery(std::shared_ptr<const Scene> scene, std::vector<RigidBody> bodies,
+                                   MeshInterior interior)
       : scene_(std::move(scene))
       , bodies_(std::move(bodies))
+      , solidInteriors_(interior == MeshInterior::Solid)
     {
         if (!scene_ || bodies_.empty())
         {
             throw std::invalid_argument("CollisionQuery: a scene and at least one body are needed");
         }
-        for (const CollisionObject &object : scene_->objects())
-        {
-            obstacles_.push_back(std::make_unique<Obstacle>(object));
-            broadphase_.registerObject(obstacles_.back().get());
-        }
-        broadphase_.setup();
+        addObstacles();
         for (std::size_t body = 0; body < bodies_.size(); ++body)
         {
             for (const RigidBody::Shape &shape : bodies_[body].shapes())
             {
                 parts_.emplace_back(body, shape);
+                if (solidInteriors_)
+                {
+                    parts_.back().solid =
+                        std::make_unique<Solid>(*shape.geometry, "robot body " + std::to_string(body));
+                }
+            }
+        }
+        findPairs();
+    }
+
+    void CollisionQuery::addObstacles()
+    {
+        for (const CollisionObject &object : scene_->objects())
+        {
+            obstacles_.push_back(std::make_unique<Obstacle>(object, obstacles_.size()));
+            if (solidInteriors_)
+            {
+                obstacles_.back()->solid = std::make_unique<Solid>(*object.geometry, "obstacle '" + object.id + "'");
+            }
+            broadphase_.registerObject(obstacles_.back().get());
+        }
+        broadphase_.setup();
+    }
+
+    void CollisionQuery::findPairs()
+    {
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+        {
+            for (std::size_t j = i + 1; j < parts_.size(); ++j)
+            {
+                if (parts_[i].body != parts_[j].body)
+                {
+                    bodyPairs_.emplace_back(i, j);
+                }
+            }
+        }
+        for (Part &part : parts_)
+        {
+            for (const auto &obstacle : obstacles_)
+            {
+                part.obstacleFunctions.push_back(pairFunctions(*part.geometry, *obstacle->geometry));
+            }
+            for (const Part &other : parts_)
+            {
+                part.partFunctions.push_back(pairFunctions(*part.geometry, *other.geometry));
             }
         }
     }
 
     CollisionQuery::~CollisionQuery() = default;
 
+    bool CollisionQuery::collideCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd * /*part*/, void *query)
+    {
+        auto &state = *static_cast<PartQuery *>(query);
+        const auto &obstacle = static_cast<const Obstacle &>(*object);
+        state.collision = state.part.obstacleFunctions[obstacle.index].collide(*state.part.geometry, state.world,
+                                                                               *obstacle.geometry, obstacle.pose);
+        return state.collision;
+    }
+
+    bool CollisionQuery::distanceCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd * /*part*/, void *query,
+                                          double &searchRadius)
+    {
+        auto &state = *static_cast<PartQuery *>(query);
+        const auto &obstacle = static_cast<const Obstacle &>(*object);
+        state.smallest = state.part.obstacleFunctions[obstacle.index].distance(
+            *state.part.geometry, state.world, *obstacle.geometry, obstacle.pose, state.smallest);
+        searchRadius = state.smallest;
+        return state.smallest <= 0.;
+    }
+
+    bool CollisionQuery::advanceCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd * /*part*/, void *query)
+    {
+        auto &sweep = *static_cast<Sweep *>(query);
+        const auto &obstacle = static_cast<const Obstacle &>(*object);
+        sweep.advance(sweep.part->obstacleFunctions[obstacle.index], obstacle.atRest());
+        return sweep.isDone();
+    }
+
     bool CollisionQuery::collides(const fcl::Transform3d *poses) const
     {
+        fcl::Transform3d *worlds = scratchPoses(parts_.size());
         for (std::size_t i = 0; i < parts_.size(); ++i)
         {
-            fcl::CollisionObjectd part = parts_[i].placed(poses);
-            bool collision = false;
-            if (obstacles_.size() == 1)
-            {
-                collision = touch(*obstacles_.front(), part);
-            }
-            else
-            {
-                broadphase_.collide(&part, &collision, collideCallback);
-            }
-            for (std::size_t j = i + 1; j < parts_.size() && !collision; ++j)
-            {
-                if (parts_[j].body != parts_[i].body)
-                {
-                    const fcl::CollisionObjectd other = parts_[j].placed(poses);
-                    collision = part.getAABB().overlap(other.getAABB()) && touch(part, other);
-                }
-            }
-            if (collision)
+            parts_[i].place(poses, worlds[i]);
+            if (hitsObstacle(parts_[i], worlds[i]))
             {
                 return true;
             }
         }
-        return false;
+        for (const auto &[i, j] : bodyPairs_)
+        {
+            if (parts_[i].partFunctions[j].collide(*parts_[i].geometry, worlds[i], *parts_[j].geometry, worlds[j]))
+            {
+                return true;
+            }
+        }
+        return solidInteriors_ && isInside(worlds);
+    }
+
+    bool CollisionQuery::hitsObstacle(const Part &part, const fcl::Transform3d &world) const
+    {
+        if (obstacles_.size() == 1)
+        {
+            const Obstacle &obstacle = *obstacles_.front();
+            return part.obstacleFunctions[0].collide(*part.geometry, world, *obstacle.geometry, obstacle.pose);
+        }
+        PartQuery query{part, world};
+        PlacedShape placed(part, world);
+        broadphase_.collide(&placed, &query, collideCallback);
+        return query.collision;
+    }
+
+    bool CollisionQuery::isInside(const fcl::Transform3d *worlds) const
+    {
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+        {
+            for (const auto &obstacle : obstacles_)
+            {
+                if (oneHoldsTheOther(*parts_[i].solid, worlds[i], *obstacle->solid, obstacle->pose))
+                {
+                    return true;
+                }
+            }
+        }
+        return std::any_of(bodyPairs_.begin(), bodyPairs_.end(),
+                           [this, worlds](const std::pair<std::size_t, std::size_t> &pair)
+                           {
+                               return oneHoldsTheOther(*parts_[pair.first].solid, worlds[pair.first],
+                                                       *parts_[pair.second].solid, worlds[pair.second]);
+                           });
     }
 
     double CollisionQuery::distance(const fcl::Transform3d *poses, double limit) const
     {
+        fcl::Transform3d *worlds = scratchPoses(parts_.size());
         double smallest = limit;
-        for (std::size_t i = 0; i < parts_.size() && smallest > 0.; ++i)
+        for (std::size_t i = 0; i < parts_.size(); ++i)
         {
-            fcl::CollisionObjectd part = parts_[i].placed(poses);
-            if (obstacles_.size() == 1)
+            parts_[i].place(poses, worlds[i]);
+            smallest = distanceToObstacles(parts_[i], worlds[i], smallest);
+        }
+        for (const auto &[i, j] : bodyPairs_)
+        {
+            smallest =
+                std::min(smallest, parts_[i].partFunctions[j].distance(*parts_[i].geometry, worlds[i],
+                                                                       *parts_[j].geometry, worlds[j], smallest));
+        }
+        if (smallest > 0. && solidInteriors_ && isInside(worlds))
+        {
+            return 0.;
+        }
+        return std::max(0., smallest);
+    }
+
+    double CollisionQuery::distanceToObstacles(const Part &part, const fcl::Transform3d &world, double smallest) const
+    {
+        if (obstacles_.size() == 1)
+        {
+            const Obstacle &obstacle = *obstacles_.front();
+            return part.obstacleFunctions[0].distance(*part.geometry, world, *obstacle.geometry, obstacle.pose,
+                                                      smallest);
+        }
+        PartQuery query{part, world, false, smallest};
+        PlacedShape placed(part, world);
+        broadphase_.distance(&placed, &query, distanceCallback);
+        return query.smallest;
+    }
+
+    double CollisionQuery::advance(const BodyMotion *motions, double tolerance, bool untilFirst) const
+    {
+        Sweep sweep{motions, tolerance, untilFirst};
+        for (const Part &part : parts_)
+        {
+            sweep.part = &part;
+            PlacedShape swept(part, motions[part.body], part.radius + tolerance);
+            broadphase_.collide(&swept, &sweep, advanceCallback);
+            if (sweep.isDone())
             {
-                shrinkDistance(*obstacles_.front(), part, smallest);
-            }
-            else
-            {
-                broadphase_.distance(&part, &smallest, distanceCallback);
-            }
-            for (std::size_t j = i + 1; j < parts_.size() && smallest > 0.; ++j)
-            {
-                if (parts_[j].body != parts_[i].body)
-                {
-                    const fcl::CollisionObjectd other = parts_[j].placed(poses);
-                    shrinkDistance(part, other, smallest);
-                }
+                return sweep.reached;
             }
         }
-        return smallest;
+        for (const auto &[i, j] : bodyPairs_)
+        {
+            sweep.part = &parts_[i];
+            sweep.advance(parts_[i].partFunctions[j], parts_[j].moving(motions));
+            if (sweep.isDone())
+            {
+                break;
+            }
+        }
+        return sweep.reached;
     }
 }  // namespace ompl_mfa::collision

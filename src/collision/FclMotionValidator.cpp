@@ -11,6 +11,23 @@ namespace ob = ompl::base;
 
 namespace ompl_mfa::collision
 {
+    namespace
+    {
+        // To which share of a motion it is found out where it leaves the bounds.
+        constexpr double boundsResolution = 1e-9;
+
+        // OMPL's counters are plain integers, and planners check motions from several threads.
+        void count(unsigned int &counter)
+        {
+            __atomic_fetch_add(&counter, 1U, __ATOMIC_RELAXED);
+        }
+
+        double tolerance(const Scene &scene)
+        {
+            return scene.objects().empty() ? 1e-7 : 1e-7 * (scene.bounds().max_ - scene.bounds().min_).norm();
+        }
+    }  // namespace
+
     MotionValidation parseMotionValidation(const std::string &name)
     {
         if (name == "discrete")
@@ -28,7 +45,7 @@ namespace ompl_mfa::collision
                                            std::shared_ptr<const FclStateValidityChecker> checker)
       : ob::MotionValidator(si)
       , checker_(std::move(checker))
-      , clearanceTolerance_(1e-6)
+      , clearanceTolerance_(tolerance(checker_->query().scene()))
     {
         if (!checker_->placement().interpolatesStraight())
         {
@@ -39,67 +56,67 @@ namespace ompl_mfa::collision
 
     bool FclMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
     {
-        const bool valid = si_->isValid(s2) && advance(s1, s2) >= 1.;
-        ++(valid ? valid_ : invalid_);
+        const bool valid = si_->isValid(s2) && advance(s1, s2, true) >= 1.;
+        count(valid ? valid_ : invalid_);
         return valid;
     }
 
     bool FclMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2,
                                          std::pair<ob::State *, double> &lastValid) const
     {
-        const double reached = advance(s1, s2);
+        const double reached = advance(s1, s2, false);
         const bool valid = reached >= 1. && si_->isValid(s2);
         if (!valid)
         {
-            lastValid.second = std::min(reached, std::nextafter(1., 0.));
+            lastValid.second = std::min(shareWithinBounds(s1, s2, reached), std::nextafter(1., 0.));
             if (lastValid.first != nullptr)
             {
                 si_->getStateSpace()->interpolate(s1, s2, lastValid.second, lastValid.first);
             }
         }
-        ++(valid ? valid_ : invalid_);
+        count(valid ? valid_ : invalid_);
         return valid;
     }
 
-    double FclMotionValidator::advance(const ob::State *s1, const ob::State *s2) const
+    double FclMotionValidator::advance(const ob::State *s1, const ob::State *s2, bool untilFirst) const
     {
+        thread_local std::vector<BodyMotion> motions;
         const StatePlacement &placement = checker_->placement();
-        double travel = 0.;
+        if (motions.size() < placement.bodyCount())
+        {
+            motions.resize(placement.bodyCount());
+        }
         for (std::size_t body = 0; body < placement.bodyCount(); ++body)
         {
-            fcl::Transform3d a;
-            fcl::Transform3d b;
-            placement.place(s1, body, a);
-            placement.place(s2, body, b);
-            const RigidBody &shape = checker_->query().bodies()[body];
-            const double radius = placement.isPlanar(body) ? shape.planarRadius() : shape.radius();
-            const double angle = Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
-            travel = std::max(travel, (b.translation() - a.translation()).norm() + angle * radius);
+            motions[body] = placement.motion(s1, s2, body);
         }
-        // Two bodies may come toward each other.
-        travel *= placement.bodyCount() > 1 ? 2. : 1.;
+        return checker_->query().advance(motions.data(), clearanceTolerance_, untilFirst);
+    }
 
+    double FclMotionValidator::shareWithinBounds(const ob::State *s1, const ob::State *s2, double reached) const
+    {
+        const ob::StateSpacePtr &space = si_->getStateSpace();
         ob::State *state = si_->allocState();
-        double reached = 0.;
-        double next = 0.;
-        while (reached < 1.)
+        double inside = 0.;
+        double outside = reached;
+        for (double share = reached; outside - inside > boundsResolution; share = 0.5 * (inside + outside))
         {
-            si_->getStateSpace()->interpolate(s1, s2, next, state);
-            si_->enforceBounds(state);
-            const double distance = checker_->clearance(state);
-            if (distance <= clearanceTolerance_)
+            space->interpolate(s1, s2, share, state);
+            if (space->satisfiesBounds(state))
             {
-                break;
+                inside = share;
+                if (share == reached)
+                {
+                    break;
+                }
             }
-            reached = next;
-            if (reached >= 1. || distance >= (1. - reached) * travel)
+            else
             {
-                reached = 1.;
+                outside = share;
             }
-            next = std::min(1., reached + distance / travel);
         }
         si_->freeState(state);
-        return reached;
+        return inside;
     }
 
     void setCollisionChecking(const ob::SpaceInformationPtr &si,

@@ -19,10 +19,11 @@ namespace ompl_mfa::collision
     }  // namespace
 
     FclStateValidityChecker::FclStateValidityChecker(const ob::SpaceInformationPtr &si,
-                                                     std::shared_ptr<const Scene> scene, std::vector<RigidBody> bodies)
+                                                     std::shared_ptr<const Scene> scene, std::vector<RigidBody> bodies,
+                                                     MeshInterior interior)
       : ob::StateValidityChecker(si)
       , placement_(si->getStateSpace())
-      , query_(std::move(scene), std::move(bodies))
+      , query_(std::move(scene), std::move(bodies), interior)
     {
         if (placement_.bodyCount() != query_.bodies().size())
         {
@@ -34,8 +35,9 @@ namespace ompl_mfa::collision
     }
 
     FclStateValidityChecker::FclStateValidityChecker(const ob::SpaceInformationPtr &si,
-                                                     std::shared_ptr<const Scene> scene, RigidBody body)
-      : FclStateValidityChecker(si, std::move(scene), single(std::move(body)))
+                                                     std::shared_ptr<const Scene> scene, RigidBody body,
+                                                     MeshInterior interior)
+      : FclStateValidityChecker(si, std::move(scene), single(std::move(body)), interior)
     {
     }
 

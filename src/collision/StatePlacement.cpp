@@ -1,5 +1,7 @@
 #include "ompl_mfa/collision/StatePlacement.h"
 
+#include <cmath>
+
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
@@ -18,6 +20,12 @@ namespace ompl_mfa::collision
         bool is(const ob::StateSpacePtr &space)
         {
             return dynamic_cast<const Space *>(space.get()) != nullptr;
+        }
+
+        Eigen::Quaterniond orientation(const ob::SE3StateSpace::StateType *state)
+        {
+            const auto &q = state->rotation();
+            return {q.w, q.x, q.y, q.z};
         }
     }  // namespace
 
@@ -60,13 +68,19 @@ namespace ompl_mfa::collision
         }
     }
 
-    void StatePlacement::place(const ob::State *state, std::size_t body, fcl::Transform3d &pose) const
+    const ob::State *StatePlacement::descend(const ob::State *state, const Component &component)
     {
-        const Component &component = components_[body];
         for (const unsigned int index : component.path)
         {
             state = static_cast<const ob::CompoundState *>(state)->components[index];
         }
+        return state;
+    }
+
+    void StatePlacement::place(const ob::State *state, std::size_t body, fcl::Transform3d &pose) const
+    {
+        const Component &component = components_[body];
+        state = descend(state, component);
         pose.setIdentity();
         switch (component.kind)
         {
@@ -92,11 +106,45 @@ namespace ompl_mfa::collision
             case Kind::SE3:
             {
                 const auto *se3 = state->as<ob::SE3StateSpace::StateType>();
-                const auto &q = se3->rotation();
                 pose.translation() << se3->getX(), se3->getY(), se3->getZ();
-                pose.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+                pose.linear() = orientation(se3).toRotationMatrix();
                 break;
             }
         }
+    }
+
+    BodyMotion StatePlacement::motion(const ob::State *from, const ob::State *to, std::size_t body) const
+    {
+        fcl::Transform3d start;
+        fcl::Transform3d end;
+        place(from, body, start);
+        place(to, body, end);
+        BodyMotion motion;
+        motion.start = start.translation();
+        motion.displacement = end.translation() - start.translation();
+        motion.rotation = start.linear();
+
+        const Component &component = components_[body];
+        from = descend(from, component);
+        to = descend(to, component);
+        if (component.kind == Kind::SE2)
+        {
+            const double turn =
+                to->as<ob::SE2StateSpace::StateType>()->getYaw() - from->as<ob::SE2StateSpace::StateType>()->getYaw();
+            motion.angle = std::abs(turn) <= M_PI ? turn : turn - std::copysign(2. * M_PI, turn);
+        }
+        else if (component.kind == Kind::SE3)
+        {
+            const Eigen::Quaterniond turn = orientation(from->as<ob::SE3StateSpace::StateType>()).conjugate() *
+                                            orientation(to->as<ob::SE3StateSpace::StateType>());
+            const double sine = turn.vec().norm();
+            if (sine > 0.)
+            {
+                // The shorter of the two ways round, as SO3StateSpace takes it.
+                motion.axis = turn.vec() / (turn.w() < 0. ? -sine : sine);
+                motion.angle = 2. * std::atan2(sine, std::abs(turn.w()));
+            }
+        }
+        return motion;
     }
 }  // namespace ompl_mfa::collision

@@ -2,25 +2,40 @@
 #define OMPL_MFA_COLLISION_COLLISION_QUERY_
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/narrowphase/collision_object.h>
 
+#include "ompl_mfa/collision/BodyMotion.h"
 #include "ompl_mfa/collision/RigidBody.h"
 #include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa::collision
 {
+    /** \brief What a mesh stands for. */
+    enum class MeshInterior
+    {
+        /** \brief Its surface: a body wholly inside is free, as in OMPL.app. */
+        Free,
+
+        /** \brief The solid inside it. Every mesh must be closed. */
+        Solid
+    };
+
     /** \brief Collision and distance between a scene and the bodies that move in it, and between these bodies.
 
-        The answers are FCL's; docs/collision.md tells how exact they are for each pair of shapes. Const functions are
-        safe to call from several threads and allocate nothing after a thread's first call. */
+        The broadphase and the traversal of meshes and maps are FCL's; docs/collision.md tells how exact the answers
+        are for each pair of shapes. Const functions are safe to call from several threads and allocate nothing after a
+        thread's first call. */
     class CollisionQuery
     {
     public:
-        /** \throw std::invalid_argument where there is no body. */
-        CollisionQuery(std::shared_ptr<const Scene> scene, std::vector<RigidBody> bodies);
+        /** \throw std::invalid_argument where the scene is null or there is no body
+            \throw InputError naming a mesh that is not closed, where interiors are solid. */
+        CollisionQuery(std::shared_ptr<const Scene> scene, std::vector<RigidBody> bodies,
+                       MeshInterior interior = MeshInterior::Free);
         ~CollisionQuery();
         CollisionQuery(const CollisionQuery &) = delete;
         CollisionQuery &operator=(const CollisionQuery &) = delete;
@@ -38,18 +53,42 @@ namespace ompl_mfa::collision
         /** \brief Whether a body touches an obstacle or another body. \param poses one for each body. */
         bool collides(const fcl::Transform3d *poses) const;
 
-        /** \brief The smallest distance from any body to any obstacle and between bodies, in the units of the world;
-            `limit` where it is no less than that. \param poses one for each body. */
+        /** \brief The smallest distance from any body to any obstacle and between bodies, in the units of the world: 0
+            where they touch, `limit` where it is no less than that. \param poses one for each body. */
         double distance(const fcl::Transform3d *poses, double limit) const;
+
+        /** \brief Share of a motion, in [0, 1], up to which no body comes within `tolerance` > 0 of an obstacle or
+            another body; 1 where the whole motion is free. By conservative advancement, pair by pair. A pair that
+            stays so close that 1000 steps do not take it to the end counts as touching there.
+            \param motions one for each body
+            \param untilFirst return any share below 1 as soon as one pair touches. */
+        double advance(const BodyMotion *motions, double tolerance, bool untilFirst) const;
 
     private:
         struct Obstacle;
         struct Part;
+        struct PartQuery;
+        struct Sweep;
+
+        void addObstacles();
+        void findPairs();
+        bool hitsObstacle(const Part &part, const fcl::Transform3d &world) const;
+        double distanceToObstacles(const Part &part, const fcl::Transform3d &world, double smallest) const;
+        bool isInside(const fcl::Transform3d *worlds) const;
+
+        static bool collideCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd *part, void *query);
+        static bool distanceCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd *part, void *query,
+                                     double &searchRadius);
+        static bool advanceCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd *part, void *query);
 
         std::shared_ptr<const Scene> scene_;
         std::vector<RigidBody> bodies_;
+        bool solidInteriors_;
         std::vector<std::unique_ptr<Obstacle>> obstacles_;
         std::vector<Part> parts_;
+
+        // Parts of different bodies.
+        std::vector<std::pair<std::size_t, std::size_t>> bodyPairs_;
         fcl::DynamicAABBTreeCollisionManager<double> broadphase_;
     };
 }  // namespace ompl_mfa::collision

@@ -48,15 +48,18 @@ namespace ompl_mfa::collision
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
                          std::pair<ompl::base::State *, double> &lastValid) const override;
 
-        /** \brief Distance, in the units of the world, below which a body counts as touching. */
+        /** \brief Distance, in the units of the world, below which a body counts as touching: 1e-7 of the diagonal of
+            the scene. */
         double clearanceTolerance() const
         {
             return clearanceTolerance_;
         }
 
     private:
-        /** \brief Share of the motion that is known to be valid; 1 where all of it is. */
-        double advance(const ompl::base::State *s1, const ompl::base::State *s2) const;
+        double advance(const ompl::base::State *s1, const ompl::base::State *s2, bool untilFirst) const;
+
+        /** \brief Share, at most `reached`, up to which the motion stays within the bounds of the space. */
+        double shareWithinBounds(const ompl::base::State *s1, const ompl::base::State *s2, double reached) const;
 
         std::shared_ptr<const FclStateValidityChecker> checker_;
         double clearanceTolerance_;

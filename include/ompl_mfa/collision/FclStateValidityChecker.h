@@ -22,13 +22,15 @@ namespace ompl_mfa::collision
         /** \param si of R^2, R^3, SE(2), SE(3) or a compound of these (see StatePlacement)
             \param scene the obstacles; may be empty, must not be null
             \param bodies one for each body that the space places
-            \throw InputError where the space cannot place the bodies, or places another number of them. */
+            \param interior whether the inside of a mesh is free, as in OMPL.app, or solid
+            \throw InputError where the space cannot place the bodies, or places another number of them, or where
+            interiors are solid and a mesh is not closed. */
         FclStateValidityChecker(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const Scene> scene,
-                                std::vector<RigidBody> bodies);
+                                std::vector<RigidBody> bodies, MeshInterior interior = MeshInterior::Free);
 
         /** \brief For a single body. */
         FclStateValidityChecker(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const Scene> scene,
-                                RigidBody body);
+                                RigidBody body, MeshInterior interior = MeshInterior::Free);
 
         bool isValid(const ompl::base::State *state) const override;
 

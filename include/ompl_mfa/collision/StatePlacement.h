@@ -6,6 +6,8 @@
 #include <fcl/common/types.h>
 #include <ompl/base/StateSpace.h>
 
+#include "ompl_mfa/collision/BodyMotion.h"
+
 namespace ompl_mfa::collision
 {
     /** \brief Where a state puts each body in the world, decided once from the state space.
@@ -38,11 +40,9 @@ namespace ompl_mfa::collision
             return straight_;
         }
 
-        /** \brief Whether a state only rotates bodies about z. */
-        bool isPlanar(std::size_t body) const
-        {
-            return components_[body].kind != Kind::SE3;
-        }
+        /** \brief The motion of body `body` as the space interpolates from one state to another, where it interpolates
+            straight. */
+        BodyMotion motion(const ompl::base::State *from, const ompl::base::State *to, std::size_t body) const;
 
     private:
         enum class Kind
@@ -61,6 +61,7 @@ namespace ompl_mfa::collision
             std::vector<unsigned int> path;
         };
 
+        static const ompl::base::State *descend(const ompl::base::State *state, const Component &component);
         void collect(const ompl::base::StateSpacePtr &space, std::vector<unsigned int> &path);
 
         std::vector<Component> components_;

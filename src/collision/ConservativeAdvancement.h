@@ -1,0 +1,33 @@
+#ifndef OMPL_MFA_COLLISION_CONSERVATIVE_ADVANCEMENT_
+#define OMPL_MFA_COLLISION_CONSERVATIVE_ADVANCEMENT_
+
+#include "NarrowPhase.h"
+#include "ompl_mfa/collision/BodyMotion.h"
+
+namespace ompl_mfa::collision
+{
+    /** \brief A shape on its way, or at rest where it has no motion. */
+    struct MovingShape
+    {
+        const fcl::CollisionGeometryd *geometry;
+
+        /** \brief From the shape to its body, or to the world where it is at rest. */
+        const fcl::Transform3d *pose;
+
+        /** \brief Motion of the body; null at rest. */
+        const BodyMotion *motion{nullptr};
+
+        /** \brief Bound on how far a rotation by one radian displaces the shape. */
+        double reach{0.};
+
+        /** \brief Pose in the world at share t. */
+        void place(double t, fcl::Transform3d &world) const;
+    };
+
+    /** \brief Share of the motion up to which two shapes stay at least `tolerance` apart; `end` where that is all of
+        [0, end]. */
+    double advancePair(const PairFunctions &functions, const MovingShape &a, const MovingShape &b, double tolerance,
+                       double end);
+}  // namespace ompl_mfa::collision
+
+#endif

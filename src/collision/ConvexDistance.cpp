@@ -1,0 +1,107 @@
+#include "ConvexDistance.h"
+
+#include <algorithm>
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        double determinant(const fcl::Vector3d &a, const fcl::Vector3d &b, const fcl::Vector3d &c)
+        {
+            return a.dot(b.cross(c));
+        }
+    }  // namespace
+
+    ClosestSimplex::Feature ClosestSimplex::onSegment(const fcl::Vector3d &a, const fcl::Vector3d &b)
+    {
+        const fcl::Vector3d ab = b - a;
+        const double along = -a.dot(ab);
+        const double length = ab.squaredNorm();
+        if (along <= 0.)
+        {
+            return {{a}, 1, a};
+        }
+        if (along >= length)
+        {
+            return {{b}, 1, b};
+        }
+        return {{a, b}, 2, a + along / length * ab};
+    }
+
+    // The regions of a triangle, after C. Ericson, Real-Time Collision Detection, 2005, section 5.1.5.
+    ClosestSimplex::Feature ClosestSimplex::onTriangle(const fcl::Vector3d &a, const fcl::Vector3d &b,
+                                                       const fcl::Vector3d &c)
+    {
+        const fcl::Vector3d ab = b - a;
+        const fcl::Vector3d ac = c - a;
+        const fcl::Vector3d normal = ab.cross(ac);
+        const double area = normal.squaredNorm();
+        const double u = normal.dot(b.cross(c));
+        const double v = normal.dot(c.cross(a));
+        const double w = normal.dot(a.cross(b));
+        if (u > 0. && v > 0. && w > 0.)
+        {
+            return {{a, b, c}, 3, normal * (normal.dot(a) / area)};
+        }
+        Feature best = onSegment(a, b);
+        for (const Feature &edge : {onSegment(b, c), onSegment(c, a)})
+        {
+            if (edge.closest.squaredNorm() < best.closest.squaredNorm())
+            {
+                best = edge;
+            }
+        }
+        return best;
+    }
+
+    bool ClosestSimplex::holds(const fcl::Vector3d &point) const
+    {
+        return std::find(corners_.begin(), corners_.begin() + size_, point) != corners_.begin() + size_;
+    }
+
+    void ClosestSimplex::keep(const Feature &feature)
+    {
+        std::copy_n(feature.corners.begin(), feature.size, corners_.begin());
+        size_ = feature.size;
+        closest_ = feature.closest;
+    }
+
+    void ClosestSimplex::add(const fcl::Vector3d &point)
+    {
+        const auto &p = corners_;
+        switch (size_)
+        {
+            case 0:
+                keep({{point}, 1, point});
+                return;
+            case 1:
+                keep(onSegment(p[0], point));
+                return;
+            case 2:
+                keep(onTriangle(p[0], p[1], point));
+                return;
+            default:
+                break;
+        }
+        // The origin is inside where it sees every face from the side of the fourth corner.
+        const double volume = determinant(p[1] - p[0], p[2] - p[0], point - p[0]);
+        const std::array<double, 4> parts{determinant(p[1], p[2], point), -determinant(p[0], p[2], point),
+                                          determinant(p[0], p[1], point), -determinant(p[0], p[1], p[2])};
+        containsOrigin_ = volume != 0. &&
+                          std::all_of(parts.begin(), parts.end(), [volume](double part) { return part * volume > 0.; });
+        if (containsOrigin_)
+        {
+            closest_.setZero();
+            return;
+        }
+        Feature best = onTriangle(p[0], p[1], point);
+        for (const Feature &face : {onTriangle(p[1], p[2], point), onTriangle(p[2], p[0], point)})
+        {
+            if (face.closest.squaredNorm() < best.closest.squaredNorm())
+            {
+                best = face;
+            }
+        }
+        keep(best);
+    }
+}  // namespace ompl_mfa::collision
