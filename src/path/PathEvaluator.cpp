@@ -80,9 +80,11 @@ namespace ompl_mfa
             const std::size_t i = k == 0 ? first : (k <= first ? k - 1 : k);
             if (checkMotion(path[i], path[i + 1]))
                 continue;
-            if (interrupted_ || feasibleRival)
+            if (interrupted_)
                 return {};
             lastInvalid_ = i;
+            if (feasibleRival)
+                return {};
             if (partialPath_ && result.violation == 0.0)
                 reportPartialPath(path, i);
             result.violation += invalidLength(path[i], path[i + 1]);

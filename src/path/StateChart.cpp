@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -12,6 +13,7 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SO2StateSpace.h>
 #include <ompl/base/spaces/SO3StateSpace.h>
+#include <ompl/base/spaces/WrapperStateSpace.h>
 #include <ompl/util/Exception.h>
 
 namespace ob = ompl::base;
@@ -62,6 +64,13 @@ namespace ompl_mfa
                 return q.vec();
             return q.vec() * (std::atan2(sine, q.w()) / sine);
         }
+
+        /* StateSpace::getName is not virtual, and a wrapper (a constrained space) keeps its name elsewhere. */
+        std::string nameOf(const ob::StateSpacePtr &space)
+        {
+            const auto *wrapper = dynamic_cast<const ob::WrapperStateSpace *>(space.get());
+            return wrapper != nullptr ? wrapper->getName() : space->getName();
+        }
     }  // namespace
 
     StateChart::StateChart(ob::StateSpacePtr space)
@@ -111,7 +120,7 @@ namespace ompl_mfa
         else if (dynamic_cast<const ob::SO3StateSpace *>(space.get()) != nullptr)
             leaf.type = LeafType::SO3;
         else
-            throw ompl::Exception("MFA", "cannot plan in the state space '" + space->getName() +
+            throw ompl::Exception("MFA", "cannot plan in the state space '" + nameOf(space) +
                                              "': supported are R^n, SO(2), SO(3), SE(2), SE(3), Dubins, Reeds-Shepp "
                                              "and compounds of these; discrete, time and constrained spaces are not");
         leaves_.push_back(std::move(leaf));

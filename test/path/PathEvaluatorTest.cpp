@@ -1,0 +1,256 @@
+#include "ompl_mfa/path/PathEvaluator.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
+#include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/objectives/StateCostIntegralObjective.h>
+#include <ompl/geometric/PathGeometric.h>
+
+#include "path/CountingProblem.h"
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        double coordinate(const ob::State *state, int i)
+        {
+            return state->as<ob::RealVectorStateSpace::StateType>()->values[i];
+        }
+
+        using Points = std::vector<std::pair<double, double>>;
+
+        /* The plane [-10, 10]^2 with a wall 4 < x < 6 that ends at y = 5. */
+        class PathEvaluatorTest : public ::testing::Test
+        {
+        protected:
+            PathEvaluatorTest()
+            {
+                problem_.si->setStateValidityCheckingResolution(0.001);
+                problem_.si->setup();
+            }
+
+            Waypoints path(const Points &points) const
+            {
+                Waypoints result(space_);
+                ob::ScopedState<> state(space_);
+                for (const auto &[x, y] : points)
+                {
+                    state[0] = x;
+                    state[1] = y;
+                    result.append(state.get());
+                }
+                return result;
+            }
+
+            static bool outsideWall(const ob::State *state)
+            {
+                const double x = coordinate(state, 0);
+                return coordinate(state, 1) > 5.0 || x <= 4.0 || x >= 6.0;
+            }
+
+            ob::StateSpacePtr space_ = test::realVectorSpace(2);
+            test::CountingProblem problem_{space_, outsideWall};
+            PathEvaluator evaluator_{problem_.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
+        };
+
+        const Points THROUGH_THE_WALL{{0, 0}, {3, 0}, {7, 0}, {9, 0}};
+        const Points OVER_THE_WALL{{0, 0}, {3, 6}, {7, 6}, {9, 0}};
+
+        TEST_F(PathEvaluatorTest, CostsAreThoseOfOmpl)
+        {
+            const Waypoints zigzag = path({{0, 0}, {3, 4}, {3, 8}, {-9, 3}});
+            og::PathGeometric theirs(problem_.si);
+            for (const ob::State *state : zigzag.pointers())
+                theirs.append(state);
+            const std::vector<ob::OptimizationObjectivePtr> objectives{
+                std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si),
+                std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si),
+                std::make_shared<ob::StateCostIntegralObjective>(problem_.si, true),
+                std::make_shared<ob::MechanicalWorkOptimizationObjective>(problem_.si)};
+            for (const auto &objective : objectives)
+            {
+                const PathEvaluator evaluator(problem_.si, objective);
+                EXPECT_DOUBLE_EQ(evaluator.cost(zigzag).value(), theirs.cost(objective).value());
+            }
+            EXPECT_DOUBLE_EQ(evaluator_.cost(zigzag).value(), 5.0 + 4.0 + 13.0);
+        }
+
+        TEST_F(PathEvaluatorTest, AValidPathHasItsCostAndNoViolation)
+        {
+            const Brightness brightness = evaluator_.evaluate(path(OVER_THE_WALL), nullptr);
+            EXPECT_TRUE(brightness.isFeasible());
+            EXPECT_DOUBLE_EQ(brightness.cost, std::hypot(3.0, 6.0) + 4.0 + std::hypot(2.0, 6.0));
+            EXPECT_EQ(problem_.motions, 3U);
+        }
+
+        TEST_F(PathEvaluatorTest, TheViolationIsTheLengthOfTheInvalidPart)
+        {
+            // the wall is 2 wide; the states that are checked on the motion of length 4 lie at most this far apart
+            const double resolution = 0.001 * space_->getMaximumExtent();
+            const Brightness straight = evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr);
+            EXPECT_NEAR(straight.violation, 2.0, 2.0 * resolution);
+            EXPECT_DOUBLE_EQ(straight.cost, 9.0);
+            // there, back and there again: every passage counts
+            const Brightness thrice = evaluator_.evaluate(path({{3, 0}, {7, 0}, {3, 0}, {7, 0}}), nullptr);
+            EXPECT_NEAR(thrice.violation, 6.0, 6.0 * resolution);
+            // two waypoints inside the wall: of lengths 2 + 1 + 2, invalid are 1 + 1 + 1
+            const Brightness inside = evaluator_.evaluate(path({{3, 0}, {5, 0}, {5, 1}, {7, 1}}), nullptr);
+            EXPECT_NEAR(inside.violation, 3.0, 6.0 * resolution);
+        }
+
+        TEST_F(PathEvaluatorTest, WhatOnlyTheMotionValidatorFindsInvalidIsAViolationToo)
+        {
+            class Refusing : public ob::MotionValidator
+            {
+            public:
+                using MotionValidator::MotionValidator;
+                bool checkMotion(const ob::State * /*from*/, const ob::State * /*to*/) const override
+                {
+                    return false;
+                }
+                bool checkMotion(const ob::State * /*from*/, const ob::State * /*to*/,
+                                 std::pair<ob::State *, double> & /*lastValid*/) const override
+                {
+                    return false;
+                }
+            };
+            problem_.si->setMotionValidator(std::make_shared<Refusing>(problem_.si));
+            const Brightness brightness = evaluator_.evaluate(path({{0, 0}, {1, 0}}), nullptr);
+            EXPECT_FALSE(brightness.isFeasible());
+            EXPECT_GT(brightness.violation, 0.0);
+        }
+
+        TEST_F(PathEvaluatorTest, ACandidateThatCannotWinOnCostIsNeverChecked)
+        {
+            const Brightness rival = evaluator_.evaluate(path(OVER_THE_WALL), nullptr);
+            problem_.forget();
+            const Brightness longer = evaluator_.evaluate(path({{0, 0}, {3, 8}, {7, 8}, {9, 0}}), &rival);
+            EXPECT_EQ(problem_.motions, 0U);
+            EXPECT_EQ(problem_.states, 0U);
+            EXPECT_FALSE(longer.isFeasible());
+            EXPECT_FALSE(evaluator_.isBrighter(longer, rival));
+            // a tie does not win either
+            evaluator_.evaluate(path(OVER_THE_WALL), &rival);
+            EXPECT_EQ(problem_.motions, 0U);
+            EXPECT_EQ(problem_.states, 0U);
+        }
+
+        TEST_F(PathEvaluatorTest, ACandidateThatWinsIsCheckedWhole)
+        {
+            const Brightness rival = evaluator_.evaluate(path({{0, 0}, {3, 8}, {7, 8}, {9, 0}}), nullptr);
+            problem_.forget();
+            const Brightness shorter = evaluator_.evaluate(path(OVER_THE_WALL), &rival);
+            EXPECT_TRUE(shorter.isFeasible());
+            EXPECT_TRUE(evaluator_.isBrighter(shorter, rival));
+            EXPECT_EQ(problem_.motions, 3U);
+        }
+
+        TEST_F(PathEvaluatorTest, AnInvalidCandidateLosesAgainstAValidRivalAtItsFirstInvalidMotion)
+        {
+            const Brightness rival = evaluator_.evaluate(path(OVER_THE_WALL), nullptr);
+            problem_.forget();
+            EXPECT_FALSE(evaluator_.evaluate(path(THROUGH_THE_WALL), &rival).isFeasible());
+            EXPECT_EQ(problem_.motions, 2U);
+            // the motion at which the last one failed is checked first
+            problem_.forget();
+            EXPECT_FALSE(evaluator_.evaluate(path(THROUGH_THE_WALL), &rival).isFeasible());
+            EXPECT_EQ(problem_.motions, 1U);
+            // and all the others are still checked
+            problem_.forget();
+            EXPECT_TRUE(evaluator_.evaluate(path({{0, 0}, {3, 5.5}, {7, 5.5}, {9, 0}}), &rival).isFeasible());
+            EXPECT_EQ(problem_.motions, 3U);
+        }
+
+        TEST_F(PathEvaluatorTest, OfTwoInvalidCandidatesTheOneWithLessInvalidLengthIsBrighter)
+        {
+            const Brightness once = evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr);
+            const Brightness thrice = evaluator_.evaluate(path({{3, 0}, {7, 0}, {3, 0}, {7, 0}}), &once);
+            EXPECT_TRUE(evaluator_.isBrighter(once, thrice));
+            EXPECT_EQ(thrice.violation, std::numeric_limits<double>::infinity());
+            // a longer path may be brighter, for violation comes first
+            const Brightness corner = evaluator_.evaluate(path({{0, 0}, {3.5, 4.5}, {7, 5.5}, {9, 0}}), &once);
+            EXPECT_GT(corner.cost, once.cost);
+            EXPECT_TRUE(evaluator_.isBrighter(corner, once));
+        }
+
+        TEST_F(PathEvaluatorTest, TheObjectiveOrdersBrightness)
+        {
+            const auto clearance = std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si);
+            const PathEvaluator evaluator(problem_.si, clearance);
+            EXPECT_TRUE(evaluator.isBrighter({0.0, 2.0}, {0.0, 1.0}));
+            EXPECT_FALSE(evaluator.isBrighter({0.0, 1.0}, {0.0, 2.0}));
+            EXPECT_FALSE(evaluator.isBrighter({0.5, 2.0}, {0.0, 1.0}));
+            EXPECT_TRUE(evaluator_.isBrighter({0.0, 1.0}, {0.0, 2.0}));
+            EXPECT_TRUE(evaluator_.isBrighter({0.0, 1.0}, {}));
+        }
+
+        TEST_F(PathEvaluatorTest, TheStopConditionIsAskedBeforeEveryMotion)
+        {
+            int asked = 0;
+            evaluator_.setStopCondition([&asked] { return ++asked > 1; });
+            EXPECT_FALSE(evaluator_.evaluate(path(OVER_THE_WALL), nullptr).isFeasible());
+            EXPECT_TRUE(evaluator_.interrupted());
+            EXPECT_EQ(problem_.motions, 1U);
+            EXPECT_FALSE(evaluator_.checkPath(path(OVER_THE_WALL)));
+            EXPECT_EQ(problem_.motions, 1U);
+            evaluator_.setStopCondition({});
+            EXPECT_FALSE(evaluator_.interrupted());
+            EXPECT_TRUE(evaluator_.checkPath(path(OVER_THE_WALL)));
+        }
+
+        TEST_F(PathEvaluatorTest, ReportsHowFarAnInvalidPathIsValid)
+        {
+            std::size_t reported = 99;
+            double x = 0.0;
+            evaluator_.setPartialPathEvent(
+                [&](const Waypoints &, std::size_t motion, const ob::State *lastValid)
+                {
+                    reported = motion;
+                    x = coordinate(lastValid, 0);
+                });
+            evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr);
+            EXPECT_EQ(reported, 1U);
+            EXPECT_NEAR(x, 4.0, 0.001 * space_->getMaximumExtent());
+            EXPECT_LE(x, 4.0);
+        }
+
+        TEST_F(PathEvaluatorTest, CountsTheStatesItChecks)
+        {
+            const Waypoints valid = path(OVER_THE_WALL);
+            problem_.forget();
+            const auto before = evaluator_.stateChecks();
+            evaluator_.checkPath(valid);
+            EXPECT_EQ(evaluator_.stateChecks() - before, problem_.states);
+        }
+
+        TEST_F(PathEvaluatorTest, AsymmetricMotionsCostWhatTheyCostInTheirDirection)
+        {
+            const auto space = test::dubinsSpace(false);
+            const test::CountingProblem problem(space, [](const ob::State *) { return true; });
+            const PathEvaluator evaluator(problem.si,
+                                          std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
+            Waypoints there(space);
+            ob::ScopedState<> state(space);
+            state[0] = state[1] = state[2] = 0.0;
+            there.append(state.get());
+            state[0] = 4.0;
+            there.append(state.get());
+            Waypoints back = there;
+            back.reverse();
+            EXPECT_NEAR(evaluator.cost(there).value(), 4.0, 1e-9);
+            EXPECT_GT(evaluator.cost(back).value(), 4.0 + 3.14);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
