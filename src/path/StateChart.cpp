@@ -120,9 +120,11 @@ namespace ompl_mfa
         else if (dynamic_cast<const ob::SO3StateSpace *>(space.get()) != nullptr)
             leaf.type = LeafType::SO3;
         else
+        {
             throw ompl::Exception("MFA", "cannot plan in the state space '" + nameOf(space) +
                                              "': supported are R^n, SO(2), SO(3), SE(2), SE(3), Dubins, Reeds-Shepp "
                                              "and compounds of these; discrete, time and constrained spaces are not");
+        }
         leaves_.push_back(std::move(leaf));
     }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -107,9 +108,9 @@ namespace ompl_mfa::test
         std::function<ompl::base::StateSpacePtr()> make;
     };
 
-    inline void PrintTo(const NamedSpace &space, std::ostream *out)
+    inline std::ostream &operator<<(std::ostream &out, const NamedSpace &space)
     {
-        *out << space.name;
+        return out << space.name;
     }
 
     /** \brief One space of every supported kind. */
