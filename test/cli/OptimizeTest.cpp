@@ -1,0 +1,105 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/RunProgram.h"
+
+namespace
+{
+    nlohmann::json optimize(const std::string &arguments)
+    {
+        const ProgramResult result = runProgram("optimize --json " + arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        return nlohmann::json::parse(result.out);
+    }
+}  // namespace
+
+TEST(Optimize, reproducesThePapersStudyOfEquation19)
+{
+    const auto document = optimize("--function sinc --algorithm fa,mfa --runs 30");
+    ASSERT_EQ(document["results"].size(), 2U);
+    const auto &fa = document["results"][0];
+    const auto &mfa = document["results"][1];
+    EXPECT_EQ(fa["algorithm"], "fa");
+    EXPECT_EQ(mfa["algorithm"], "mfa");
+    EXPECT_EQ(mfa["function"], "sinc");
+    EXPECT_EQ(mfa["runs"], 30);
+    EXPECT_NEAR(mfa["best_median"].get<double>(), 1.0, 1e-9);
+    EXPECT_GE(mfa["share_near_optimum_median"].get<double>(), 0.95);
+    EXPECT_LT(fa["share_near_optimum_median"].get<double>(), 0.5);
+    EXPECT_EQ(fa["evaluations"].get<double>(), 100.0 + 50 * 99);
+    EXPECT_LE(mfa["evaluations"].get<double>(), 100.0 + 50 * 599);
+}
+
+TEST(Optimize, minimisesTheOtherFunctions)
+{
+    for (const std::string function : {"ackley", "rastrigin", "griewank", "rosenbrock", "levy"})
+    {
+        const auto document = optimize("--algorithm mfa --runs 3 --function " + function);
+        EXPECT_NEAR(document["results"][0]["best_median"].get<double>(), 0.0, 1e-2) << function;
+    }
+}
+
+TEST(Optimize, repeatsWithItsSeed)
+{
+    const std::string arguments = "optimize --json --function schwefel --dimension 5 --runs 2 --seed ";
+    EXPECT_EQ(runProgram(arguments + "7").out, runProgram(arguments + "7").out);
+    EXPECT_NE(runProgram(arguments + "7").out, runProgram(arguments + "8").out);
+}
+
+TEST(Optimize, printsATable)
+{
+    const ProgramResult result = runProgram("optimize --runs 2 --population 20 --generations 5");
+    EXPECT_EQ(result.status, 0);
+    for (const std::string word : {"algorithm", "share near optimum", "\nfa ", "\nmfa "})
+        EXPECT_NE(result.out.find(word), std::string::npos) << word;
+}
+
+TEST(Optimize, drawsAPanelForEachAlgorithm)
+{
+    const std::string file = temporaryFile("populations.svg");
+    EXPECT_EQ(runProgram("optimize --runs 3 --picture '" + file + "'").status, 0);
+    const std::string svg = readFile(file);
+    std::remove(file.c_str());
+    EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
+    for (const std::string word : {">FA on sinc", ">MFA on sinc", ">fireflies at the end", "</svg>"})
+        EXPECT_NE(svg.find(word), std::string::npos) << word;
+    std::size_t circles = 0;
+    for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1))
+        ++circles;
+    EXPECT_GE(circles, 200U) << "every firefly of both algorithms";
+}
+
+TEST(Optimize, refusesWhatItCannotUse)
+{
+    expectBadInput("optimize --function sync", {"function", "sync", "did you mean 'sinc'", "rastrigin"});
+    expectBadInput("optimize --algorithm mfa,pso", {"pso", "fa, mfa"});
+    expectBadInput("optimize --runs 0", {"--runs", "0"});
+    expectBadInput("optimize --runs many", {"--runs", "many"});
+    expectBadInput("optimize --seed -1", {"--seed", "-1"});
+    expectBadInput("optimize --gamma -1", {"gamma", "-1", "at least 0"});
+    expectBadInput("optimize --alpha nan", {"alpha", "nan", "[0, 1]"});
+    expectBadInput("optimize --population 3", {"populationSize", "3", "at least 4"});
+    expectBadInput("optimize --dimension 1 --function rosenbrock", {"dimension", "rosenbrock", "at least 2"});
+    expectBadInput("optimize --dimension 3 --picture x.svg", {"--picture", "3", "2 dimensions"});
+    expectBadInput("optimize --runs 1 --picture /no/such/folder/x.svg", {"/no/such/folder/x.svg"});
+}
+
+TEST(Program, namesWhatItAcceptsInsteadOfAnUnknownName)
+{
+    expectBadInput("optimise", {"command", "optimise", "did you mean 'optimize'"});
+    expectBadInput("optimize --picure x", {"option", "--picure", "did you mean '--picture'"});
+    expectBadInput("optimize stray", {"stray"});
+    expectBadInput("", {"--help"});
+}
+
+TEST(Program, printsHelpAndVersion)
+{
+    EXPECT_EQ(runProgram("--help").status, 0);
+    EXPECT_NE(runProgram("--help").out.find("optimize"), std::string::npos);
+    EXPECT_EQ(runProgram("--version").status, 0);
+    EXPECT_EQ(runProgram("--version").out.rfind("ompl_mfa ", 0), 0U);
+}
