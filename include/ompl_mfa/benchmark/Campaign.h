@@ -1,0 +1,127 @@
+#ifndef OMPL_MFA_BENCHMARK_CAMPAIGN_
+#define OMPL_MFA_BENCHMARK_CAMPAIGN_
+
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ompl_mfa/benchmark/BenchmarkLog.h"
+#include "ompl_mfa/benchmark/ConfigFile.h"
+#include "ompl_mfa/benchmark/MeasuredRun.h"
+#include "ompl_mfa/benchmark/RunJournal.h"
+
+namespace ompl_mfa
+{
+    /** \brief One planner of a campaign, with the problem as this planner meets it. */
+    struct CampaignPlanner
+    {
+        /** \brief Unique in its campaign. Logs put OMPL's "geometric_" before it. */
+        std::string name;
+        ProblemAllocator makeProblem;
+        ompl::base::PlannerAllocator makePlanner;
+    };
+
+    /** \brief What is run: it decides the results, as far as the machine does not. */
+    struct CampaignDescription
+    {
+        std::string name;
+        std::vector<CampaignPlanner> planners;
+        RunSettings settings;
+        unsigned int runCount{100};
+        /** \brief Run k of every planner has the seed runSeed(seed, k). */
+        std::uint64_t seed{1};
+        SavePaths savePaths{SavePaths::NONE};
+        /** \brief Whatever else makes this campaign differ from another one: the text of its files. */
+        std::string identity;
+    };
+
+    /** \brief How it is run. */
+    struct CampaignOptions
+    {
+        /** \brief The log; its journal and the paths are written beside it. */
+        std::filesystem::path log;
+        /** \brief Runs at the same time. */
+        unsigned int jobs{1};
+        /** \brief This is part `shard` of `shards`, counted from 1. */
+        unsigned int shard{1};
+        unsigned int shards{1};
+        /** \brief Makes only the runs that the journal does not have. */
+        bool resume{false};
+        /** \brief Drops the journal of an interrupted campaign. */
+        bool overwrite{false};
+        /** \brief Seconds after the time limit at which a planner that has not returned is killed; negative: one
+            second and a tenth of the limit. */
+        double grace{-1.0};
+        /** \brief Where progress is shown. */
+        std::ostream *progress{nullptr};
+        /** \brief Whether `progress` is a terminal, on which one line is overwritten. */
+        bool terminal{false};
+    };
+
+    /** \brief What came out of a campaign. */
+    struct CampaignResult
+    {
+        BenchmarkLog log;
+        std::vector<RunRecord> records;
+        /** \brief The signal that stopped the campaign before its end; 0 if none did. */
+        int interruptedBy{0};
+        /** \brief Runs that are still to be made. */
+        std::size_t missing{0};
+    };
+
+    /** \brief Runs planners on a problem, each run in a process of its own, and writes OMPL's benchmark log.
+
+        Whatever a run does to its process costs that run alone. Runs that are over are on the disk: a campaign that was
+        stopped at any point continues with `resume`. The calling process must have a single thread. */
+    class Campaign
+    {
+    public:
+        /** \brief Throws InputError when there is no planner or no run, or when two planners have the same name. */
+        explicit Campaign(CampaignDescription description);
+
+        /** \brief Makes problem and planners once, in a process of their own. Throws InputError as they do. */
+        void validate() const;
+
+        /** \brief Makes the runs and writes the log. SIGINT, SIGTERM and SIGHUP end it after the runs so far are in
+            the log. Throws InputError when the log cannot be written, or when a journal of an interrupted or of
+            another campaign is in the way. */
+        CampaignResult run(const CampaignOptions &options) const;
+
+        /** \brief A digest of the description: logs and journals with the same one belong together. */
+        std::string fingerprint() const;
+
+        /** \brief The runs of part \e shard of \e shards as (planner, run), in the order in which they are started.
+
+            Runs of all planners alternate, and each part gets an equal share of each planner, so that neither the time
+            of the day nor a slower machine is to the disadvantage of one of them. */
+        std::vector<std::pair<std::size_t, unsigned int>> runs(unsigned int shard, unsigned int shards) const;
+
+        const CampaignDescription &description() const;
+
+        /** \brief The file in which the runs of \e log are kept as they come. */
+        static std::filesystem::path journalFile(const std::filesystem::path &log);
+
+    private:
+        class Execution;
+
+        CampaignDescription description_;
+    };
+
+    /** \brief The log of \e records, whatever their order. \e shard is "i/n", or empty for a whole campaign. */
+    BenchmarkLog assembleLog(const Campaign &campaign, const std::vector<RunRecord> &records,
+                             const JournalHeader &header);
+
+    /** \brief The campaign of a config, as `ompl_mfa benchmark` runs it. Loads world and robot.
+
+        Throws InputError as ProblemFactory does, and for a planner parameter `seed`: the campaign sets it. */
+    Campaign makeCampaign(const BenchmarkConfig &config);
+
+    /** \brief The log of a config: NAME.log in the folder of its key `output`, or beside the config; for a part of a
+        campaign NAME.I-of-N.log. Folders that do not exist are made by Campaign::run(). */
+    std::filesystem::path logFile(const BenchmarkConfig &config, unsigned int shard, unsigned int shards);
+}  // namespace ompl_mfa
+
+#endif

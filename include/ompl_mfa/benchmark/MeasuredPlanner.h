@@ -1,0 +1,117 @@
+#ifndef OMPL_MFA_BENCHMARK_MEASURED_PLANNER_
+#define OMPL_MFA_BENCHMARK_MEASURED_PLANNER_
+
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <ompl/base/Planner.h>
+#include <ompl/base/StateValidityChecker.h>
+
+#include "ompl_mfa/benchmark/RunProcess.h"
+
+namespace ompl_mfa
+{
+    /** \brief Counts the calls of a validity checker while a planner solves. Thread-safe where the checker is. */
+    class CountingValidityChecker : public ompl::base::StateValidityChecker
+    {
+    public:
+        /** \brief Counts calls of \e checker in \e state. */
+        CountingValidityChecker(const ompl::base::SpaceInformationPtr &si, ompl::base::StateValidityCheckerPtr checker,
+                                RunState &state);
+
+        bool isValid(const ompl::base::State *state) const override;
+        bool isValid(const ompl::base::State *state, double &distance) const override;
+        bool isValid(const ompl::base::State *state, double &distance, ompl::base::State *validState,
+                     bool &validStateAvailable) const override;
+        double clearance(const ompl::base::State *state) const override;
+        double clearance(const ompl::base::State *state, ompl::base::State *validState,
+                         bool &validStateAvailable) const override;
+
+    private:
+        ompl::base::StateValidityCheckerPtr checker_;
+        RunState &run_;
+    };
+
+    /** \brief The progress of a planner at one time. */
+    struct ProgressSample
+    {
+        /** \brief Seconds since the start of solve(). */
+        double time{0.0};
+        /** \brief One value a progress property, in the order of MeasuredPlanner::progressNames(). */
+        std::vector<std::string> values;
+    };
+
+    /** \brief A planner as a benchmark sees it: passes everything on to the planner that it holds and measures solve().
+
+        OMPL's Benchmark looks at a planner's progress every so often, but at one fixed distance for the whole run, and
+        not when the planner returns. This class looks every millisecond for the first tenth of a second and then at the
+        interval asked for, once more at the end, and continues the series of a planner that returns early up to the
+        time limit with its last values: curves of several runs are then means over the same runs at every time. A
+        planner that publishes no best cost gets one, known from the moment that it returns. */
+    class MeasuredPlanner : public ompl::base::Planner
+    {
+    public:
+        struct Settings
+        {
+            /** \brief Seconds. OMPL's Benchmark only looks every 0.1 s whether they are over. */
+            double timeLimit{5.0};
+            /** \brief Seconds between two samples of the progress properties after the first tenth of a second. */
+            double progressInterval{0.01};
+            /** \brief How often the termination condition may be evaluated before it stops the planner; 0: no limit. */
+            std::uint64_t iterationLimit{0};
+        };
+
+        MeasuredPlanner(ompl::base::PlannerPtr planner, RunState &run, const Settings &settings);
+
+        /** \brief Copies what has been sampled in solve(), strictly increasing in time. */
+        std::vector<ProgressSample> progress() const;
+
+        /** \brief "words TYPE" for each value of a sample. */
+        std::vector<std::string> progressNames() const;
+
+        /** \brief Whether the planner's solve() threw. */
+        bool threw() const;
+
+        /** \brief Calls of the validity checker in solve(). */
+        std::uint64_t collisionChecks() const;
+
+        /** \brief Motions that were checked in solve(). */
+        std::uint64_t motionChecks() const;
+
+        ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
+        void setProblemDefinition(const ompl::base::ProblemDefinitionPtr &pdef) override;
+        void setup() override;
+        void clear() override;
+        void clearQuery() override;
+        void checkValidity() override;
+        void getPlannerData(ompl::base::PlannerData &graph) const override;
+        void printProperties(std::ostream &out) const override;
+        void printSettings(std::ostream &out) const override;
+
+    private:
+        ompl::base::PlannerStatus solveLimited(const ompl::base::PlannerTerminationCondition &ptc);
+        void sampleUntilSolved();
+        void sample(bool keep);
+        double sampleTime(std::size_t index) const;
+        void finishProgress();
+
+        ompl::base::PlannerPtr planner_;
+        RunState &run_;
+        Settings settings_;
+        std::vector<std::string> names_;
+        std::vector<ompl::base::Planner::PlannerProgressProperty> properties_;
+        bool publishesCost_{false};
+        std::vector<ProgressSample> samples_;
+        std::mutex solvedMutex_;
+        std::condition_variable solvedCondition_;
+        bool solved_{false};
+        bool threw_{false};
+        std::uint64_t collisionChecks_{0};
+        std::uint64_t motionChecks_{0};
+    };
+}  // namespace ompl_mfa
+
+#endif

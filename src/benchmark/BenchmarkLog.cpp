@@ -1,0 +1,177 @@
+#include "ompl_mfa/benchmark/BenchmarkLog.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iomanip>
+#include <ostream>
+#include <set>
+#include <sstream>
+
+#include "ompl_mfa/InputError.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* "-nan" and "-inf" end ompl_benchmark_statistics; a separator inside a value would shift all columns. */
+        std::string cleanValue(const std::string &value)
+        {
+            char *end = nullptr;
+            const double number = std::strtod(value.c_str(), &end);
+            if (!value.empty() && *end == '\0' && !std::isfinite(number))
+            {
+                return std::isinf(number) && number > 0.0 ? "inf" : "nan";
+            }
+            std::string clean = value;
+            std::replace_if(
+                clean.begin(), clean.end(),
+                [](char letter) { return letter == ';' || letter == ',' || letter == '\n' || letter == '\r'; }, ' ');
+            return clean;
+        }
+
+        std::string oneWord(const std::string &text)
+        {
+            std::string word = text.empty() ? "NO_NAME" : text;
+            std::replace_if(
+                word.begin(), word.end(), [](unsigned char letter) { return std::isspace(letter) != 0; }, '_');
+            return word;
+        }
+
+        void writeBlock(std::ostream &out, const std::string &text)
+        {
+            out << "<<<|\n" << text << (text.empty() || text.back() == '\n' ? "" : "\n") << "|>>>\n";
+        }
+
+        void writeHeader(std::ostream &out, const BenchmarkLog &log)
+        {
+            out << "OMPL version " << log.version << "\n"
+                << "Experiment " << oneWord(log.experiment) << "\n"
+                << log.properties.size() << " experiment properties\n";
+            for (const auto &property : log.properties)
+            {
+                out << property.first << " = " << cleanValue(property.second) << "\n";
+            }
+            out << "Running on " << oneWord(log.host) << "\n"
+                << "Starting at " << log.start << "\n";
+            writeBlock(out, log.setup);
+            writeBlock(out, log.cpu);
+            out << log.seed << " is the random seed\n"
+                << log.timeLimit << " seconds per run\n"
+                << log.memoryLimit << " MB per run\n"
+                << log.runCount << " runs per planner\n"
+                << log.duration << " seconds spent to collect the data\n"
+                << log.enums.size() << " enum type" << (log.enums.size() == 1 ? "" : "s") << "\n";
+            for (const LogEnum &entry : log.enums)
+            {
+                out << entry.property;
+                for (const std::string &name : entry.names)
+                {
+                    out << "|" << name;
+                }
+                out << "\n";
+            }
+        }
+
+        void writeRuns(std::ostream &out, const PlannerLog &planner)
+        {
+            std::set<std::string> names;
+            for (const LogProperties &run : planner.runs)
+            {
+                for (const auto &property : run)
+                {
+                    names.insert(property.first);
+                }
+            }
+            out << names.size() << " properties for each run\n";
+            for (const std::string &name : names)
+            {
+                out << name << "\n";
+            }
+            out << planner.runs.size() << " runs\n";
+            for (const LogProperties &run : planner.runs)
+            {
+                for (const std::string &name : names)
+                {
+                    const auto found = run.find(name);
+                    out << (found != run.end() ? cleanValue(found->second) : "") << "; ";
+                }
+                out << "\n";
+            }
+        }
+
+        void writeProgress(std::ostream &out, const PlannerLog &planner)
+        {
+            out << planner.progressNames.size() + 1 << " progress properties for each run\ntime REAL\n";
+            for (const std::string &name : planner.progressNames)
+            {
+                out << name << "\n";
+            }
+            out << planner.progress.size() << " runs\n";
+            for (const auto &samples : planner.progress)
+            {
+                std::string last;
+                for (const ProgressSample &sample : samples)
+                {
+                    std::ostringstream time;
+                    time << std::fixed << std::setprecision(6) << sample.time;
+                    if (time.str() == last)
+                    {
+                        continue;
+                    }
+                    last = time.str();
+                    out << last << ",";
+                    for (const std::string &value : sample.values)
+                    {
+                        out << cleanValue(value) << ",";
+                    }
+                    out << ";";
+                }
+                out << "\n";
+            }
+        }
+    }  // namespace
+
+    void writeBenchmarkLog(std::ostream &out, const BenchmarkLog &log)
+    {
+        out.precision(10);
+        writeHeader(out, log);
+        out << log.planners.size() << " planners\n";
+        for (const PlannerLog &planner : log.planners)
+        {
+            out << planner.name << "\n" << planner.common.size() << " common properties\n";
+            for (const auto &property : planner.common)
+            {
+                out << property.first << " = " << property.second << "\n";
+            }
+            writeRuns(out, planner);
+            if (!planner.progress.empty())
+            {
+                writeProgress(out, planner);
+            }
+            out << ".\n";
+        }
+    }
+
+    void writeBenchmarkLog(const std::filesystem::path &file, const BenchmarkLog &log)
+    {
+        const std::filesystem::path unfinished = file.string() + ".unfinished";
+        std::ofstream out(unfinished);
+        writeBenchmarkLog(out, log);
+        out.close();
+        std::error_code failed;
+        if (out)
+        {
+            std::filesystem::rename(unfinished, file, failed);
+        }
+        if (!out || failed)
+        {
+            throw InputError(file.string() + ": cannot be written: " + std::strerror(errno));
+        }
+    }
+}  // namespace ompl_mfa

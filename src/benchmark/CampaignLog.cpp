@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <ompl/base/PlannerStatus.h>
+#include <ompl/tools/benchmark/MachineSpecs.h>
+
+#include "ompl_mfa/benchmark/Campaign.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        const std::string PLANNER_SECTION = "Properties of benchmarked planners:";
+
+        LogEnum statusNames()
+        {
+            LogEnum names{"status", {}};
+            for (int i = 0; i < ob::PlannerStatus::TYPE_COUNT; ++i)
+            {
+                const auto status = static_cast<ob::PlannerStatus::StatusType>(i);
+                std::string name = ob::PlannerStatus(status).asString();
+                // OMPL has no words for its newer values, and Planner Arena needs different ones.
+                if (i > ob::PlannerStatus::CRASH && name == ob::PlannerStatus().asString())
+                {
+                    name = status == ob::PlannerStatus::ABORT ? "Abort" : "Infeasible";
+                }
+                names.names.push_back(name);
+            }
+            return names;
+        }
+
+        LogEnum terminationNames()
+        {
+            return {
+                "termination",
+                {"Returned", "Exception", "Process exited", "Signal", "Time limit enforced", "Memory limit enforced"}};
+        }
+
+        /* Planner Arena joins runs and progress, and draws the wrong one of two columns with the same name. */
+        void renameProgressDuplicates(const std::set<std::string> &progressNames, LogProperties &run)
+        {
+            for (const std::string &name : progressNames)
+            {
+                const auto found = run.find(name);
+                if (found != run.end())
+                {
+                    run.insert({"final " + name, found->second});
+                    run.erase(found);
+                }
+            }
+        }
+
+        PlannerLog assemblePlanner(const std::string &name, const std::map<unsigned int, const RunRecord *> &runs,
+                                   const std::set<std::string> &progressNames)
+        {
+            PlannerLog planner;
+            planner.name = name;
+            for (const auto &entry : runs)
+            {
+                const RunRecord &record = *entry.second;
+                planner.common.insert(record.common.begin(), record.common.end());
+                planner.progressNames = planner.progressNames.empty() ? record.progressNames : planner.progressNames;
+                planner.runs.push_back(record.properties);
+                renameProgressDuplicates(progressNames, planner.runs.back());
+            }
+            for (const auto &entry : runs)
+            {
+                const RunRecord &record = *entry.second;
+                if (!planner.progressNames.empty())
+                {
+                    planner.progress.push_back(record.progressNames == planner.progressNames
+                                                   ? record.progress
+                                                   : std::vector<ProgressSample>());
+                }
+            }
+            return planner;
+        }
+
+        std::string describeLimits(const CampaignDescription &description)
+        {
+            std::ostringstream text;
+            text << "Campaign:\n  Each run is a process of its own.\n"
+                 << "  Run k (from 0) of every planner: seed = SplitMix64 output number k + 1 of base seed "
+                 << description.seed << ", folded to [1, 2^31 - 1]; property 'seed' of each run.\n";
+            if (description.settings.iterationLimit > 0)
+            {
+                text << "  Evaluations of the termination condition: at most " << description.settings.iterationLimit
+                     << " a run.\n";
+            }
+            return text.str();
+        }
+
+        std::string assembleSetup(const CampaignDescription &description, const std::vector<RunRecord> &records)
+        {
+            std::string problem;
+            std::map<std::string, std::string> planners;
+            for (const RunRecord &record : records)
+            {
+                const std::size_t section = record.setup.find(PLANNER_SECTION);
+                if (section != std::string::npos)
+                {
+                    problem = record.setup.substr(0, section);
+                    planners[record.planner] = record.setup.substr(section + PLANNER_SECTION.size() + 1);
+                }
+            }
+            std::string text = problem + PLANNER_SECTION + "\n";
+            for (const auto &planner : planners)
+            {
+                text += planner.second;
+            }
+            return text + describeLimits(description);
+        }
+
+        LogProperties experimentProperties(const Campaign &campaign, const JournalHeader &header)
+        {
+            const CampaignDescription &description = campaign.description();
+            LogProperties properties;
+            properties["base_seed INTEGER"] = std::to_string(description.seed);
+            properties["run_seed TEXT"] = "splitmix64(base_seed+run)";
+            properties["campaign TEXT"] = header.campaign;
+            properties["ompl_mfa_version TEXT"] = OMPL_MFA_VERSION;
+            if (description.settings.iterationLimit > 0)
+            {
+                properties["iteration_limit INTEGER"] = std::to_string(description.settings.iterationLimit);
+            }
+            if (!header.shard.empty())
+            {
+                properties["shard TEXT"] = header.shard;
+            }
+            return properties;
+        }
+    }  // namespace
+
+    BenchmarkLog assembleLog(const Campaign &campaign, const std::vector<RunRecord> &records,
+                             const JournalHeader &header)
+    {
+        const CampaignDescription &description = campaign.description();
+        std::map<std::string, std::map<unsigned int, const RunRecord *>> runs;
+        std::set<std::string> progressNames;
+        for (const RunRecord &record : records)
+        {
+            runs[record.planner][record.run] = &record;
+            progressNames.insert(record.progressNames.begin(), record.progressNames.end());
+        }
+
+        BenchmarkLog log;
+        log.version = OMPL_MFA_OMPL_VERSION;
+        log.experiment = description.name;
+        log.properties = experimentProperties(campaign, header);
+        log.host = ompl::machine::getHostname();
+        log.start = header.start;
+        log.setup = assembleSetup(description, records);
+        log.cpu = ompl::machine::getCPUInfo();
+        log.seed = description.seed;
+        log.timeLimit = description.settings.timeLimit;
+        log.memoryLimit = description.settings.memoryLimit;
+        log.runCount = description.runCount;
+        log.duration = header.duration;
+        log.enums = {statusNames(), terminationNames()};
+        for (const CampaignPlanner &planner : description.planners)
+        {
+            const std::string name = "geometric_" + planner.name;
+            log.planners.push_back(assemblePlanner(name, runs[name], progressNames));
+        }
+        return log;
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,150 @@
+#include "ompl_mfa/benchmark/CampaignProgress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <ostream>
+
+#include <ompl/base/PlannerStatus.h>
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        std::string bar(std::size_t done, std::size_t total)
+        {
+            constexpr std::size_t WIDTH = 24;
+            const std::size_t filled = total > 0 ? WIDTH * done / total : WIDTH;
+            return "[" + std::string(filled, '#') + std::string(WIDTH - filled, '-') + "] " + std::to_string(done) +
+                   "/" + std::to_string(total);
+        }
+
+        std::string propertyOf(const RunRecord &record, const std::string &name)
+        {
+            const auto found = record.properties.find(name);
+            return found == record.properties.end() ? std::string() : found->second;
+        }
+
+        std::string describeReturned(const RunRecord &record)
+        {
+            const std::string status = propertyOf(record, "status ENUM");
+            std::string text = "no status";
+            if (!status.empty())
+            {
+                text = ompl::base::PlannerStatus(static_cast<ompl::base::PlannerStatus::StatusType>(std::stoi(status)))
+                           .asString();
+            }
+            const std::string cost = propertyOf(record, "path cost REAL");
+            const std::string simplified = propertyOf(record, "simplified path cost REAL");
+            text += cost.empty() ? "" : ", cost " + cost;
+            return text + (simplified.empty() ? "" : ", simplified " + simplified);
+        }
+
+        std::string lastLine(const std::string &text)
+        {
+            const std::size_t end = text.find_last_of('\n');
+            return end == std::string::npos ? text : text.substr(end + 1);
+        }
+
+        std::string describeEnd(const RunRecord &record)
+        {
+            switch (record.termination)
+            {
+                case RunTermination::RETURNED:
+                    return describeReturned(record);
+                case RunTermination::EXCEPTION:
+                    return "the planner threw an exception";
+                case RunTermination::EXITED:
+                    return "the planner ended the process";
+                case RunTermination::SIGNAL:
+                    return "ended by signal " + std::to_string(record.signal) + " (" + strsignal(record.signal) + ")";
+                case RunTermination::TIME_LIMIT:
+                    return "killed at its time limit";
+                case RunTermination::MEMORY_LIMIT:
+                    return "killed at its memory limit";
+                default:
+                    return "not over";
+            }
+        }
+    }  // namespace
+
+    CampaignProgress::CampaignProgress(std::ostream *out, bool terminal, std::size_t total, std::size_t done)
+      : out_(out)
+      , terminal_(terminal)
+      , total_(total)
+      , done_(done)
+    {
+    }
+
+    void CampaignProgress::running(const std::string &planner, unsigned int run, double secondsLeft)
+    {
+        constexpr double SHOWN_EVERY = 0.2;
+        if (out_ == nullptr || !terminal_ || monotonicSeconds() - lastShown_ < SHOWN_EVERY)
+        {
+            return;
+        }
+        lastShown_ = monotonicSeconds();
+        const std::string line = bar(done_, total_) + "  " + planner + ", run " + std::to_string(run + 1) +
+                                 "  time left " + formatDuration(secondsLeft);
+        clearLine();
+        *out_ << line << std::flush;
+        lineLength_ = line.size();
+    }
+
+    void CampaignProgress::finished(const RunRecord &record)
+    {
+        ++done_;
+        const bool worthALine = !terminal_ || record.termination != RunTermination::RETURNED;
+        if (out_ == nullptr || !worthALine)
+        {
+            return;
+        }
+        clearLine();
+        *out_ << done_ << "/" << total_ << "  " << record.planner << ", run " << record.run + 1 << ": "
+              << describeRun(record) << std::endl;
+    }
+
+    void CampaignProgress::close()
+    {
+        if (out_ != nullptr && terminal_)
+        {
+            clearLine();
+            *out_ << std::flush;
+        }
+    }
+
+    void CampaignProgress::clearLine()
+    {
+        if (terminal_ && lineLength_ > 0)
+        {
+            *out_ << '\r' << std::string(lineLength_, ' ') << '\r';
+        }
+        lineLength_ = 0;
+    }
+
+    std::string formatDuration(double seconds)
+    {
+        const auto whole = static_cast<long>(std::lround(std::max(0.0, seconds)));
+        char text[32];
+        if (whole < 60)
+        {
+            std::snprintf(text, sizeof(text), "%ld s", whole);
+        }
+        else if (whole < 3600)
+        {
+            std::snprintf(text, sizeof(text), "%ld:%02ld", whole / 60, whole % 60);
+        }
+        else
+        {
+            std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+        }
+        return text;
+    }
+
+    std::string describeRun(const RunRecord &record)
+    {
+        const std::string end = describeEnd(record);
+        return record.message.empty() ? end : end + ": " + lastLine(record.message);
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,304 @@
+#include "ompl_mfa/benchmark/MeasuredPlanner.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+#include <utility>
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/util/String.h>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr double DENSE_TIME = 0.1;
+        constexpr double DENSE_INTERVAL = 0.001;
+        const char *const BEST_COST = "best cost REAL";
+    }  // namespace
+
+    CountingValidityChecker::CountingValidityChecker(const ob::SpaceInformationPtr &si,
+                                                     ob::StateValidityCheckerPtr checker, RunState &state)
+      : ob::StateValidityChecker(si)
+      , checker_(std::move(checker))
+      , run_(state)
+    {
+        specs_ = checker_->getSpecs();
+    }
+
+    bool CountingValidityChecker::isValid(const ob::State *state) const
+    {
+        run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
+        return checker_->isValid(state);
+    }
+
+    bool CountingValidityChecker::isValid(const ob::State *state, double &distance) const
+    {
+        run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
+        return checker_->isValid(state, distance);
+    }
+
+    bool CountingValidityChecker::isValid(const ob::State *state, double &distance, ob::State *validState,
+                                          bool &validStateAvailable) const
+    {
+        run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
+        return checker_->isValid(state, distance, validState, validStateAvailable);
+    }
+
+    double CountingValidityChecker::clearance(const ob::State *state) const
+    {
+        return checker_->clearance(state);
+    }
+
+    double CountingValidityChecker::clearance(const ob::State *state, ob::State *validState,
+                                              bool &validStateAvailable) const
+    {
+        return checker_->clearance(state, validState, validStateAvailable);
+    }
+
+    MeasuredPlanner::MeasuredPlanner(ob::PlannerPtr planner, RunState &run, const Settings &settings)
+      : ob::Planner(planner->getSpaceInformation(), planner->getName())
+      , planner_(std::move(planner))
+      , run_(run)
+      , settings_(settings)
+    {
+        params_.include(planner_->params());
+        specs_ = planner_->getSpecs();
+    }
+
+    std::vector<ProgressSample> MeasuredPlanner::progress() const
+    {
+        return samples_;
+    }
+
+    std::vector<std::string> MeasuredPlanner::progressNames() const
+    {
+        return names_;
+    }
+
+    bool MeasuredPlanner::threw() const
+    {
+        return threw_;
+    }
+
+    std::uint64_t MeasuredPlanner::collisionChecks() const
+    {
+        return collisionChecks_;
+    }
+
+    std::uint64_t MeasuredPlanner::motionChecks() const
+    {
+        return motionChecks_;
+    }
+
+    ob::PlannerStatus MeasuredPlanner::solve(const ob::PlannerTerminationCondition &ptc)
+    {
+        samples_.clear();
+        solved_ = false;
+        names_.clear();
+        properties_.clear();
+        for (const auto &property : planner_->getPlannerProgressProperties())
+        {
+            names_.push_back(property.first);
+            properties_.push_back(property.second);
+        }
+        publishesCost_ = std::find(names_.begin(), names_.end(), BEST_COST) != names_.end();
+
+        run_.collisionChecks = 0;
+        run_.residentAtStart = residentMemory(getpid());
+        run_.solveStart = monotonicSeconds();
+        run_.phase = RunPhase::SOLVING;
+        std::thread sampler([this] { sampleUntilSolved(); });
+        const auto stopSampling = [this, &sampler]
+        {
+            {
+                const std::lock_guard<std::mutex> lock(solvedMutex_);
+                solved_ = true;
+            }
+            solvedCondition_.notify_all();
+            sampler.join();
+            run_.phase = RunPhase::FINISHING;
+        };
+        try
+        {
+            const ob::PlannerStatus status = solveLimited(ptc);
+            stopSampling();
+            finishProgress();
+            return status;
+        }
+        catch (...)
+        {
+            threw_ = true;
+            stopSampling();
+            throw;
+        }
+    }
+
+    ob::PlannerStatus MeasuredPlanner::solveLimited(const ob::PlannerTerminationCondition &ptc)
+    {
+        const double end = run_.solveStart + settings_.timeLimit;
+        std::atomic<std::uint64_t> evaluations{0};
+        const ob::PlannerTerminationCondition limited(
+            [this, &ptc, &evaluations, end]
+            {
+                return (settings_.iterationLimit > 0 && evaluations.fetch_add(1) >= settings_.iterationLimit) ||
+                       monotonicSeconds() >= end || ptc();
+            });
+        const ob::PlannerStatus status = planner_->solve(limited);
+        collisionChecks_ = run_.collisionChecks;
+        const auto &motions = si_->getMotionValidator();
+        motionChecks_ = motions->getValidMotionCount() + motions->getInvalidMotionCount();
+        return status;
+    }
+
+    void MeasuredPlanner::sampleUntilSolved()
+    {
+        const double start = run_.solveStart;
+        const double watchInterval = std::min(DENSE_INTERVAL, settings_.progressInterval);
+        std::size_t index = 0;
+        std::unique_lock<std::mutex> lock(solvedMutex_);
+        while (!solved_)
+        {
+            const double now = monotonicSeconds() - start;
+            const double next = std::isfinite(run_.firstSolution) ? sampleTime(index)
+                                                                  : std::min(sampleTime(index), now + watchInterval);
+            if (solvedCondition_.wait_for(lock, std::chrono::duration<double>(next - now), [this] { return solved_; }))
+            {
+                return;
+            }
+            lock.unlock();
+            const bool due = monotonicSeconds() - start >= sampleTime(index);
+            sample(due);
+            // A machine under load skips samples rather than falling behind.
+            while (sampleTime(index) <= monotonicSeconds() - start)
+            {
+                ++index;
+            }
+            lock.lock();
+        }
+    }
+
+    void MeasuredPlanner::sample(bool keep)
+    {
+        ProgressSample sample;
+        sample.time = monotonicSeconds() - run_.solveStart;
+        for (std::size_t i = 0; i < properties_.size(); ++i)
+        {
+            if (!keep && names_[i] != BEST_COST)
+            {
+                continue;
+            }
+            sample.values.push_back(properties_[i]());
+            if (names_[i] == BEST_COST)
+            {
+                const double cost = std::strtod(sample.values.back().c_str(), nullptr);
+                if (std::isfinite(cost))
+                {
+                    run_.bestCost = cost;
+                    run_.firstSolution = std::min(run_.firstSolution.load(), sample.time);
+                }
+            }
+        }
+        if (keep && (samples_.empty() || sample.time > samples_.back().time))
+        {
+            samples_.push_back(std::move(sample));
+        }
+    }
+
+    double MeasuredPlanner::sampleTime(std::size_t index) const
+    {
+        const double dense = std::min(DENSE_INTERVAL, settings_.progressInterval);
+        const auto denseCount = static_cast<std::size_t>(DENSE_TIME / dense + 0.5);
+        return index < denseCount
+                   ? dense * static_cast<double>(index + 1)
+                   : DENSE_TIME + settings_.progressInterval * static_cast<double>(index + 1 - denseCount);
+    }
+
+    void MeasuredPlanner::finishProgress()
+    {
+        sample(true);
+        const bool exact = pdef_->hasExactSolution();
+        const double end = monotonicSeconds() - run_.solveStart;
+        if (exact)
+        {
+            run_.firstSolution = std::min(run_.firstSolution.load(), end);
+        }
+        if (!publishesCost_)
+        {
+            names_.emplace_back(BEST_COST);
+            for (ProgressSample &sample : samples_)
+            {
+                sample.values.emplace_back("inf");
+            }
+            if (exact)
+            {
+                const auto &objective = pdef_->getOptimizationObjective();
+                const auto &path = pdef_->getSolutionPath();
+                run_.bestCost = objective ? path->cost(objective).value() : path->length();
+                samples_.back().values.back() = ompl::toString(run_.bestCost.load());
+            }
+        }
+        for (std::size_t index = 0; sampleTime(index) <= settings_.timeLimit; ++index)
+        {
+            if (sampleTime(index) > samples_.back().time)
+            {
+                ProgressSample continued = samples_.back();
+                continued.time = sampleTime(index);
+                samples_.push_back(std::move(continued));
+            }
+        }
+    }
+
+    void MeasuredPlanner::setProblemDefinition(const ob::ProblemDefinitionPtr &pdef)
+    {
+        ob::Planner::setProblemDefinition(pdef);
+        planner_->setProblemDefinition(pdef);
+    }
+
+    void MeasuredPlanner::setup()
+    {
+        ob::Planner::setup();
+        if (!planner_->isSetup())
+        {
+            planner_->setup();
+        }
+        params_.include(planner_->params());
+    }
+
+    void MeasuredPlanner::clear()
+    {
+        ob::Planner::clear();
+        planner_->clear();
+    }
+
+    void MeasuredPlanner::clearQuery()
+    {
+        planner_->clearQuery();
+    }
+
+    void MeasuredPlanner::checkValidity()
+    {
+        planner_->checkValidity();
+    }
+
+    void MeasuredPlanner::getPlannerData(ob::PlannerData &graph) const
+    {
+        planner_->getPlannerData(graph);
+    }
+
+    void MeasuredPlanner::printProperties(std::ostream &out) const
+    {
+        planner_->printProperties(out);
+    }
+
+    void MeasuredPlanner::printSettings(std::ostream &out) const
+    {
+        planner_->printSettings(out);
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,177 @@
+#include "ompl_mfa/benchmark/MeasuredRun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/tools/benchmark/Benchmark.h>
+#include <ompl/util/RandomNumbers.h>
+#include <ompl/util/String.h>
+
+#include "ompl_mfa/benchmark/PathMetrics.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+namespace ot = ompl::tools;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        double pathCost(const og::SimpleSetup &setup)
+        {
+            const ob::OptimizationObjectivePtr &objective = setup.getOptimizationObjective();
+            const og::PathGeometric &path = setup.getSolutionPath();
+            return objective ? path.cost(objective).value() : path.length();
+        }
+
+        void addPathMetrics(const std::string &prefix, const og::SimpleSetup &setup, ot::Benchmark::RunProperties &run)
+        {
+            const PathMetrics metrics = measurePath(setup.getSolutionPath());
+            run[prefix + "path cost REAL"] = ompl::toString(pathCost(setup));
+            run[prefix + "minimum clearance REAL"] = ompl::toString(metrics.minimumClearance);
+            run[prefix + "resampled smoothness REAL"] = ompl::toString(metrics.smoothness);
+        }
+
+        /* OMPL's Benchmark simplifies before it lets anyone see the path, so this does what it would do, under the same
+           names. */
+        void simplify(og::SimpleSetup &setup, ot::Benchmark::RunProperties &run)
+        {
+            const double start = monotonicSeconds();
+            setup.simplifySolution();
+            run["simplification time REAL"] = ompl::toString(monotonicSeconds() - start);
+            og::PathGeometric &path = setup.getSolutionPath();
+            run["simplified solution length REAL"] = ompl::toString(path.length());
+            run["simplified solution smoothness REAL"] = ompl::toString(path.smoothness());
+            run["simplified solution clearance REAL"] = ompl::toString(path.clearance());
+            run["simplified solution segments INTEGER"] = std::to_string(path.getStateCount() - 1);
+            run["simplified correct solution BOOLEAN"] = std::to_string(path.check());
+            const unsigned int factor = setup.getStateSpace()->getValidSegmentCountFactor();
+            setup.getStateSpace()->setValidSegmentCountFactor(factor * 4);
+            run["simplified correct solution strict BOOLEAN"] = std::to_string(path.check());
+            setup.getStateSpace()->setValidSegmentCountFactor(factor);
+        }
+
+        /* An approximate solution ends somewhere else: its length must not enter the same mean as that of a solution.
+         */
+        void setApartApproximateSolution(ot::Benchmark::RunProperties &run)
+        {
+            for (const char *property : {"length REAL", "smoothness REAL", "clearance REAL", "segments INTEGER"})
+            {
+                const auto found = run.find(std::string("solution ") + property);
+                if (found != run.end())
+                {
+                    run[std::string("approximate solution ") + property] = found->second;
+                    run.erase(found);
+                }
+            }
+        }
+
+        void addMeasurements(const MeasuredPlanner &planner, const RunState &state, ot::Benchmark::RunProperties &run)
+        {
+            run["collision checks INTEGER"] = std::to_string(planner.collisionChecks());
+            run["motion checks INTEGER"] = std::to_string(planner.motionChecks());
+            run["time to first solution REAL"] = ompl::toString(state.firstSolution.load());
+            run.erase("best cost REAL");
+            run["final best cost REAL"] = ompl::toString(state.bestCost.load());
+            if (planner.threw())
+            {
+                run["status ENUM"] = std::to_string(static_cast<int>(ob::PlannerStatus::CRASH));
+            }
+        }
+
+        void keepPath(const og::SimpleSetup &setup, RunRecord &record)
+        {
+            std::ostringstream matrix;
+            setup.getSolutionPath().printAsMatrix(matrix);
+            record.path = matrix.str();
+            record.pathCost = pathCost(setup);
+        }
+
+        void measureSolution(og::SimpleSetup &setup, const RunSettings &settings, RunRecord &record,
+                             ot::Benchmark::RunProperties &run)
+        {
+            if (!setup.haveExactSolutionPath())
+            {
+                setApartApproximateSolution(run);
+                return;
+            }
+            addPathMetrics("", setup, run);
+            if (settings.simplify)
+            {
+                simplify(setup, run);
+                addPathMetrics("simplified ", setup, run);
+            }
+            if (settings.keepPath)
+            {
+                keepPath(setup, record);
+            }
+        }
+
+        ot::Benchmark::Request requestOf(const RunSettings &settings)
+        {
+            constexpr unsigned int RUNS = 1;
+            constexpr bool DISPLAY_PROGRESS = false;
+            constexpr bool SAVE_CONSOLE = false;
+            constexpr bool SIMPLIFY = false;
+            return {settings.timeLimit, settings.memoryLimit, RUNS,    settings.progressInterval,
+                    DISPLAY_PROGRESS,   SAVE_CONSOLE,         SIMPLIFY};
+        }
+
+        void takeExperiment(const ot::Benchmark::CompleteExperiment &experiment, bool seeded, RunRecord &record)
+        {
+            const auto &planner = experiment.planners.at(0);
+            record.planner = planner.name;
+            record.common = LogProperties(planner.common.begin(), planner.common.end());
+            if (seeded)
+            {
+                record.common.erase("seed");
+            }
+            record.setup = experiment.setupInfo;
+            if (!planner.runs.empty())
+            {
+                record.properties.insert(planner.runs.front().begin(), planner.runs.front().end());
+            }
+        }
+    }  // namespace
+
+    RunRecord measureRun(const ProblemAllocator &makeProblem, const ob::PlannerAllocator &makePlanner,
+                         const RunSettings &settings, std::uint32_t seed, RunState &state)
+    {
+        ompl::RNG::setSeed(seed);
+        const og::SimpleSetupPtr setup = makeProblem();
+        const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+        const ob::PlannerPtr inner = makePlanner(si);
+        const bool seeded = inner->params().hasParam("seed");
+        if (seeded)
+        {
+            inner->params().setParam("seed", std::to_string(seed));
+        }
+        si->setStateValidityChecker(
+            std::make_shared<CountingValidityChecker>(si, si->getStateValidityChecker(), state));
+
+        RunRecord record;
+        record.seed = seed;
+        const auto planner = std::make_shared<MeasuredPlanner>(
+            inner, state,
+            MeasuredPlanner::Settings{settings.timeLimit, settings.progressInterval, settings.iterationLimit});
+        ot::Benchmark benchmark(*setup, "run");
+        benchmark.addPlanner(planner);
+        benchmark.setPostRunEvent(
+            [&](const ob::PlannerPtr &, ot::Benchmark::RunProperties &run)
+            {
+                addMeasurements(*planner, state, run);
+                measureSolution(*setup, settings, record, run);
+            });
+        benchmark.benchmark(requestOf(settings));
+
+        takeExperiment(benchmark.getRecordedExperimentData(), seeded, record);
+        record.progressNames = planner->progressNames();
+        record.progress = planner->progress();
+        record.termination = planner->threw() ? RunTermination::EXCEPTION : RunTermination::RETURNED;
+        return record;
+    }
+}  // namespace ompl_mfa

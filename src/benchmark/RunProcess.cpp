@@ -1,0 +1,367 @@
+#include "ompl_mfa/benchmark/RunProcess.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <time.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <system_error>
+
+#include "ompl_mfa/InputError.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr int EXCEPTION_STATUS = 100;
+        constexpr int OUT_OF_MEMORY_STATUS = 101;
+        constexpr std::size_t CONSOLE_KEPT = 4096;
+        constexpr double MEGABYTE = 1024.0 * 1024.0;
+
+        [[noreturn]] void failWith(const char *what)
+        {
+            throw std::system_error(errno, std::generic_category(), what);
+        }
+
+        /* The watching process kills on resident memory, which it sees only now and then. This limit catches what is
+           faster than that, and memory that is reserved but never touched. */
+        void limitAllocation(double megabytes)
+        {
+            std::ifstream status("/proc/self/status");
+            std::string word;
+            double present = 0.0;
+            while (status >> word)
+            {
+                if (word == "VmData:")
+                {
+                    status >> present;
+                    break;
+                }
+            }
+            const double allowed = present * 1024.0 + (1.5 * megabytes + 512.0) * MEGABYTE;
+            const rlimit limit{static_cast<rlim_t>(allowed), static_cast<rlim_t>(allowed)};
+            setrlimit(RLIMIT_DATA, &limit);
+        }
+
+        void writeAll(int file, const std::string &text)
+        {
+            std::size_t written = 0;
+            while (written < text.size())
+            {
+                const ssize_t count = ::write(file, text.data() + written, text.size() - written);
+                if (count < 0 && errno != EINTR)
+                {
+                    return;
+                }
+                written += count > 0 ? static_cast<std::size_t>(count) : 0;
+            }
+        }
+
+        void enterChild(pid_t parent, int console, double megabytes)
+        {
+            prctl(PR_SET_PDEATHSIG, SIGKILL);
+            if (getppid() != parent)
+            {
+                _exit(EXCEPTION_STATUS);
+            }
+            setpgid(0, 0);
+            for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD})
+            {
+                ::signal(number, SIG_DFL);
+            }
+            const int nothing = open("/dev/null", O_RDONLY);
+            dup2(nothing, STDIN_FILENO);
+            dup2(console, STDOUT_FILENO);
+            dup2(console, STDERR_FILENO);
+            const rlimit noCore{0, 0};
+            setrlimit(RLIMIT_CORE, &noCore);
+            limitAllocation(megabytes);
+        }
+
+        /* Ends without destructors: whatever the planner broke must not cost a result that is already there. */
+        [[noreturn]] void runChild(const RunProcess::Body &body, RunState &state, int resultPipe)
+        {
+            int status = 0;
+            try
+            {
+                writeAll(resultPipe, body(state));
+            }
+            catch (const InputError &error)
+            {
+                std::cerr << error.what() << std::endl;
+                status = RunProcess::INPUT_ERROR_STATUS;
+            }
+            catch (const std::bad_alloc &)
+            {
+                status = OUT_OF_MEMORY_STATUS;
+            }
+            catch (const std::exception &error)
+            {
+                std::cerr << error.what() << std::endl;
+                status = EXCEPTION_STATUS;
+            }
+            catch (...)
+            {
+                status = EXCEPTION_STATUS;
+            }
+            std::cout.flush();
+            std::fflush(nullptr);
+            _exit(status);
+        }
+
+        RunTermination terminationOf(int exitStatus)
+        {
+            switch (exitStatus)
+            {
+                case 0:
+                    return RunTermination::RETURNED;
+                case OUT_OF_MEMORY_STATUS:
+                    return RunTermination::MEMORY_LIMIT;
+                case EXCEPTION_STATUS:
+                case RunProcess::INPUT_ERROR_STATUS:
+                    return RunTermination::EXCEPTION;
+                default:
+                    return RunTermination::EXITED;
+            }
+        }
+
+        void openPipe(int ends[2])
+        {
+            if (pipe2(ends, O_CLOEXEC) != 0)
+            {
+                failWith("pipe");
+            }
+            fcntl(ends[0], F_SETFL, O_NONBLOCK);
+        }
+
+        void readAvailable(int file, std::string &text)
+        {
+            char buffer[65536];
+            ssize_t count = 0;
+            while ((count = ::read(file, buffer, sizeof(buffer))) > 0)
+            {
+                text.append(buffer, static_cast<std::size_t>(count));
+            }
+        }
+    }  // namespace
+
+    double monotonicSeconds()
+    {
+        timespec now{};
+        clock_gettime(CLOCK_MONOTONIC, &now);
+        return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+    }
+
+    std::uint64_t residentMemory(pid_t pid)
+    {
+        std::ifstream statm("/proc/" + std::to_string(pid) + "/statm");
+        std::uint64_t size = 0;
+        std::uint64_t resident = 0;
+        statm >> size >> resident;
+        return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    }
+
+    RunProcess::RunProcess(const Body &body, const RunLimits &limits)
+      : limits_(limits)
+    {
+        void *page = mmap(nullptr, sizeof(RunState), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (page == MAP_FAILED)
+        {
+            failWith("mmap");
+        }
+        state_ = new (page) RunState;
+
+        int result[2];
+        int console[2];
+        openPipe(result);
+        openPipe(console);
+        std::cout.flush();
+        std::cerr.flush();
+        std::fflush(nullptr);
+        phaseStart_ = monotonicSeconds();
+        const pid_t parent = getpid();
+        pid_ = fork();
+        if (pid_ < 0)
+        {
+            failWith("fork");
+        }
+        if (pid_ == 0)
+        {
+            enterChild(parent, console[1], limits_.memory);
+            runChild(body, *state_, result[1]);
+        }
+        setpgid(pid_, pid_);
+        ::close(result[1]);
+        ::close(console[1]);
+        resultPipe_ = result[0];
+        consolePipe_ = console[0];
+    }
+
+    RunProcess::~RunProcess()
+    {
+        if (pid_ > 0)
+        {
+            killProcess(RunTermination::UNKNOWN);
+            waitpid(pid_, nullptr, 0);
+        }
+        close();
+        munmap(state_, sizeof(RunState));
+    }
+
+    bool RunProcess::update()
+    {
+        if (termination_ != RunTermination::UNKNOWN)
+        {
+            return true;
+        }
+        readPipes();
+        enforceLimits();
+        int status = 0;
+        if (waitpid(pid_, &status, WNOHANG) != pid_)
+        {
+            return false;
+        }
+        // Children that a planner left behind must not outlive its run.
+        ::kill(-pid_, SIGKILL);
+        pid_ = -1;
+        readPipes();
+        close();
+        phaseEnd_ = monotonicSeconds();
+        if (WIFSIGNALED(status))
+        {
+            signal_ = WTERMSIG(status);
+            termination_ = killedFor_ != RunTermination::UNKNOWN ? killedFor_ : RunTermination::SIGNAL;
+        }
+        else
+        {
+            exitStatus_ = WEXITSTATUS(status);
+            termination_ = terminationOf(exitStatus_);
+            // A planner that calls exit(0) has returned nothing.
+            if (termination_ == RunTermination::RETURNED && result_.empty())
+            {
+                termination_ = RunTermination::EXITED;
+            }
+        }
+        return true;
+    }
+
+    void RunProcess::wait()
+    {
+        while (!update())
+        {
+            waitForOutput(0.01);
+        }
+    }
+
+    void RunProcess::waitForOutput(double seconds) const
+    {
+        pollfd file{resultPipe_, POLLIN, 0};
+        poll(&file, resultPipe_ >= 0 ? 1 : 0, static_cast<int>(seconds * 1000.0));
+    }
+
+    RunTermination RunProcess::termination() const
+    {
+        return termination_;
+    }
+
+    int RunProcess::signal() const
+    {
+        return signal_;
+    }
+
+    int RunProcess::exitStatus() const
+    {
+        return exitStatus_;
+    }
+
+    const std::string &RunProcess::result() const
+    {
+        return result_;
+    }
+
+    std::string RunProcess::console() const
+    {
+        const std::size_t first = console_.find_first_not_of(" \t\r\n");
+        return first == std::string::npos ? std::string()
+                                          : console_.substr(first, console_.find_last_not_of(" \t\r\n") - first + 1);
+    }
+
+    double RunProcess::phaseTime() const
+    {
+        return (termination_ == RunTermination::UNKNOWN ? monotonicSeconds() : phaseEnd_) - phaseStart_;
+    }
+
+    const RunState &RunProcess::state() const
+    {
+        return *state_;
+    }
+
+    void RunProcess::readPipes()
+    {
+        readAvailable(resultPipe_, result_);
+        readAvailable(consolePipe_, console_);
+        if (console_.size() > CONSOLE_KEPT)
+        {
+            console_.erase(0, console_.size() - CONSOLE_KEPT);
+        }
+    }
+
+    void RunProcess::enforceLimits()
+    {
+        const double now = monotonicSeconds();
+        const RunPhase phase = state_->phase;
+        if (phase != seenPhase_)
+        {
+            seenPhase_ = phase;
+            phaseStart_ = phase == RunPhase::SOLVING ? state_->solveStart.load() : now;
+        }
+        const double allowed = phase == RunPhase::PREPARING ? limits_.prepare
+                               : phase == RunPhase::SOLVING ? limits_.solve
+                                                            : limits_.finish;
+        if (now - phaseStart_ > allowed)
+        {
+            killProcess(RunTermination::TIME_LIMIT);
+        }
+        // OMPL's own check stops a planner at the limit itself; this one is for planners that do not listen.
+        const double slack = (0.1 * limits_.memory + 16.0) * MEGABYTE;
+        const double resident = static_cast<double>(residentMemory(pid_));
+        if (resident > static_cast<double>(state_->residentAtStart) + limits_.memory * MEGABYTE + slack)
+        {
+            killProcess(RunTermination::MEMORY_LIMIT);
+        }
+    }
+
+    void RunProcess::killProcess(RunTermination reason)
+    {
+        if (killedFor_ == RunTermination::UNKNOWN)
+        {
+            killedFor_ = reason;
+        }
+        ::kill(-pid_, SIGKILL);
+        ::kill(pid_, SIGKILL);
+    }
+
+    void RunProcess::close()
+    {
+        for (int *file : {&resultPipe_, &consolePipe_})
+        {
+            if (*file >= 0)
+            {
+                ::close(*file);
+            }
+            *file = -1;
+        }
+    }
+}  // namespace ompl_mfa

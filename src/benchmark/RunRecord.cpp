@@ -1,0 +1,89 @@
+#include "ompl_mfa/benchmark/RunRecord.h"
+
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+using Json = nlohmann::json;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        Json progressToJson(const std::vector<ProgressSample> &progress)
+        {
+            Json samples = Json::array();
+            for (const ProgressSample &sample : progress)
+            {
+                samples.push_back({sample.time, sample.values});
+            }
+            return samples;
+        }
+
+        std::vector<ProgressSample> progressFromJson(const Json &samples)
+        {
+            std::vector<ProgressSample> progress;
+            progress.reserve(samples.size());
+            for (const Json &sample : samples)
+            {
+                progress.push_back({sample.at(0).get<double>(), sample.at(1).get<std::vector<std::string>>()});
+            }
+            return progress;
+        }
+    }  // namespace
+
+    std::string writeRunRecord(const RunRecord &record)
+    {
+        const Json json{{"planner", record.planner},
+                        {"run", record.run},
+                        {"seed", record.seed},
+                        {"termination", static_cast<int>(record.termination)},
+                        {"signal", record.signal},
+                        {"message", record.message},
+                        {"properties", record.properties},
+                        {"common", record.common},
+                        {"setup", record.setup},
+                        {"progress_names", record.progressNames},
+                        {"progress", progressToJson(record.progress)},
+                        {"path", record.path},
+                        {"path_cost", record.pathCost}};
+        // A crashed planner may have printed anything: bytes that are not UTF-8 must not lose the record.
+        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    RunRecord readRunRecord(const std::string &line)
+    {
+        try
+        {
+            const Json json = Json::parse(line);
+            RunRecord record;
+            json.at("planner").get_to(record.planner);
+            json.at("run").get_to(record.run);
+            json.at("seed").get_to(record.seed);
+            record.termination = static_cast<RunTermination>(json.at("termination").get<int>());
+            json.at("signal").get_to(record.signal);
+            json.at("message").get_to(record.message);
+            json.at("properties").get_to(record.properties);
+            json.at("common").get_to(record.common);
+            json.at("setup").get_to(record.setup);
+            json.at("progress_names").get_to(record.progressNames);
+            record.progress = progressFromJson(json.at("progress"));
+            json.at("path").get_to(record.path);
+            json.at("path_cost").get_to(record.pathCost);
+            return record;
+        }
+        catch (const Json::exception &error)
+        {
+            throw std::invalid_argument(std::string("not the record of a run: ") + error.what());
+        }
+    }
+
+    std::uint32_t runSeed(std::uint64_t base, unsigned int run)
+    {
+        std::uint64_t z = base + (static_cast<std::uint64_t>(run) + 1) * 0x9e3779b97f4a7c15ULL;
+        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+        z ^= z >> 31U;
+        return static_cast<std::uint32_t>(z % 0x7fffffffULL) + (z % 0x7fffffffULL == 0 ? 1U : 0U);
+    }
+}  // namespace ompl_mfa
