@@ -66,8 +66,9 @@ namespace ompl_mfa
                                                        "standard_deviation",
                                                        "nr_improve_attempts"};
 
-        const std::vector<std::string> BENCHMARK_KEYS = {"time_limit", "mem_limit", "run_count", "output",
-                                                         "save_paths", "simplify",  "seed",      "progress_interval"};
+        const std::vector<std::string> BENCHMARK_KEYS = {"time_limit", "mem_limit",         "run_count",
+                                                         "output",     "save_paths",        "simplify",
+                                                         "seed",       "progress_interval", "iteration_limit"};
 
         const std::string WEIGHT_PREFIX = "objective.weight.";
 
@@ -458,6 +459,8 @@ namespace ompl_mfa
                     benchmark.seed = wholeValue(*entry, 1, std::numeric_limits<std::uint32_t>::max());
                 if (const ConfigEntry *entry = given("progress_interval"))
                     benchmark.progressInterval = positiveValue(*entry);
+                if (const ConfigEntry *entry = given("iteration_limit"))
+                    benchmark.iterationLimit = wholeValue(*entry, 1, std::numeric_limits<std::uint32_t>::max());
             }
 
             BenchmarkConfig config_;

@@ -12,6 +12,8 @@
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/String.h>
 
+#include "ompl_mfa/benchmark/RunRecord.h"
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa
@@ -23,8 +25,8 @@ namespace ompl_mfa
         const char *const BEST_COST = "best cost REAL";
     }  // namespace
 
-    CountingValidityChecker::CountingValidityChecker(const ob::SpaceInformationPtr &si,
-                                                     ob::StateValidityCheckerPtr checker, RunState &state)
+    WatchedValidityChecker::WatchedValidityChecker(const ob::SpaceInformationPtr &si,
+                                                   ob::StateValidityCheckerPtr checker, RunState &state)
       : ob::StateValidityChecker(si)
       , checker_(std::move(checker))
       , run_(state)
@@ -32,32 +34,32 @@ namespace ompl_mfa
         specs_ = checker_->getSpecs();
     }
 
-    bool CountingValidityChecker::isValid(const ob::State *state) const
+    bool WatchedValidityChecker::isValid(const ob::State *state) const
     {
         run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
         return checker_->isValid(state);
     }
 
-    bool CountingValidityChecker::isValid(const ob::State *state, double &distance) const
+    bool WatchedValidityChecker::isValid(const ob::State *state, double &distance) const
     {
         run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
         return checker_->isValid(state, distance);
     }
 
-    bool CountingValidityChecker::isValid(const ob::State *state, double &distance, ob::State *validState,
-                                          bool &validStateAvailable) const
+    bool WatchedValidityChecker::isValid(const ob::State *state, double &distance, ob::State *validState,
+                                         bool &validStateAvailable) const
     {
         run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
         return checker_->isValid(state, distance, validState, validStateAvailable);
     }
 
-    double CountingValidityChecker::clearance(const ob::State *state) const
+    double WatchedValidityChecker::clearance(const ob::State *state) const
     {
         return checker_->clearance(state);
     }
 
-    double CountingValidityChecker::clearance(const ob::State *state, ob::State *validState,
-                                              bool &validStateAvailable) const
+    double WatchedValidityChecker::clearance(const ob::State *state, ob::State *validState,
+                                             bool &validStateAvailable) const
     {
         return checker_->clearance(state, validState, validStateAvailable);
     }
@@ -105,7 +107,7 @@ namespace ompl_mfa
         properties_.clear();
         for (const auto &property : planner_->getPlannerProgressProperties())
         {
-            names_.push_back(property.first);
+            names_.push_back(logPropertyName(property.first));
             properties_.push_back(property.second);
         }
         publishesCost_ = std::find(names_.begin(), names_.end(), BEST_COST) != names_.end();

@@ -75,7 +75,6 @@ namespace ompl_mfa
             run["collision checks INTEGER"] = std::to_string(planner.collisionChecks());
             run["motion checks INTEGER"] = std::to_string(planner.motionChecks());
             run["time to first solution REAL"] = ompl::toString(state.firstSolution.load());
-            run.erase("best cost REAL");
             run["final best cost REAL"] = ompl::toString(state.bestCost.load());
             if (planner.threw())
             {
@@ -131,9 +130,12 @@ namespace ompl_mfa
                 record.common.erase("seed");
             }
             record.setup = experiment.setupInfo;
-            if (!planner.runs.empty())
+            for (const auto &run : planner.runs)
             {
-                record.properties.insert(planner.runs.front().begin(), planner.runs.front().end());
+                for (const auto &property : run)
+                {
+                    record.properties.insert({logPropertyName(property.first), property.second});
+                }
             }
         }
     }  // namespace
@@ -150,8 +152,7 @@ namespace ompl_mfa
         {
             inner->params().setParam("seed", std::to_string(seed));
         }
-        si->setStateValidityChecker(
-            std::make_shared<CountingValidityChecker>(si, si->getStateValidityChecker(), state));
+        si->setStateValidityChecker(std::make_shared<WatchedValidityChecker>(si, si->getStateValidityChecker(), state));
 
         RunRecord record;
         record.seed = seed;

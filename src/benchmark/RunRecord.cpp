@@ -78,6 +78,14 @@ namespace ompl_mfa
         }
     }
 
+    std::string logPropertyName(const std::string &name)
+    {
+        const std::string type = " DOUBLE";
+        const bool isDouble =
+            name.size() > type.size() && name.compare(name.size() - type.size(), type.size(), type) == 0;
+        return isDouble ? name.substr(0, name.size() - type.size()) + " REAL" : name;
+    }
+
     std::uint32_t runSeed(std::uint64_t base, unsigned int run)
     {
         std::uint64_t z = base + (static_cast<std::uint64_t>(run) + 1) * 0x9e3779b97f4a7c15ULL;

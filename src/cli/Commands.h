@@ -11,6 +11,8 @@
     CLI::RuntimeError(1) after printing its result. */
 namespace ompl_mfa::cli
 {
+    void addBenchmarkCommand(CLI::App &app);
+    void addMergeCommand(CLI::App &app);
     void addOptimizeCommand(CLI::App &app);
 }  // namespace ompl_mfa::cli
 

@@ -90,6 +90,8 @@ namespace
         CLI::App app{"Modified Firefly Algorithm planning for OMPL", "ompl_mfa"};
         app.set_version_flag("--version", "ompl_mfa " OMPL_MFA_VERSION);
         app.require_subcommand(1);
+        ompl_mfa::cli::addBenchmarkCommand(app);
+        ompl_mfa::cli::addMergeCommand(app);
         ompl_mfa::cli::addOptimizeCommand(app);
 
         static StandardErrorOutput output;

@@ -105,6 +105,8 @@ namespace ompl_mfa
         std::uint_fast32_t seed{1};
         /** \brief Seconds between two samples of the progress properties. */
         double progressInterval{0.01};
+        /** \brief Evaluations of the termination condition after which a planner has to stop; 0: only time counts. */
+        std::uint64_t iterationLimit{0};
     };
 
     /** \brief One planner instance of the section [planner]. */

@@ -14,13 +14,14 @@
 
 namespace ompl_mfa
 {
-    /** \brief Counts the calls of a validity checker while a planner solves. Thread-safe where the checker is. */
-    class CountingValidityChecker : public ompl::base::StateValidityChecker
+    /** \brief Counts the calls of any validity checker where the watching process sees them. Thread-safe where the
+       checker is. */
+    class WatchedValidityChecker : public ompl::base::StateValidityChecker
     {
     public:
         /** \brief Counts calls of \e checker in \e state. */
-        CountingValidityChecker(const ompl::base::SpaceInformationPtr &si, ompl::base::StateValidityCheckerPtr checker,
-                                RunState &state);
+        WatchedValidityChecker(const ompl::base::SpaceInformationPtr &si, ompl::base::StateValidityCheckerPtr checker,
+                               RunState &state);
 
         bool isValid(const ompl::base::State *state) const override;
         bool isValid(const ompl::base::State *state, double &distance) const override;

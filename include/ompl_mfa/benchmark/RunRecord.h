@@ -46,6 +46,10 @@ namespace ompl_mfa
     /** \brief Reads what writeRunRecord() wrote. Throws std::invalid_argument for anything else. */
     RunRecord readRunRecord(const std::string &line);
 
+    /** \brief The name of a property as logs write it. OMPL's BIT* family gives DOUBLE as a type, which makes its best
+        cost another property than that of all other planners; it becomes REAL. */
+    std::string logPropertyName(const std::string &name);
+
     /** \brief The seed of run \e run of every planner in a campaign with seed \e base: an output of SplitMix64
         (Steele, Lea and Flood, 2014) for the state base + (run + 1) 0x9e3779b97f4a7c15, folded to [1, 2^31 - 1]. */
     std::uint32_t runSeed(std::uint64_t base, unsigned int run);

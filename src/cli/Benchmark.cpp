@@ -1,0 +1,196 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/Commands.h"
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/benchmark/Campaign.h"
+
+namespace
+{
+    constexpr int SIGNAL_STATUS = 128;
+
+    struct Options
+    {
+        std::string config;
+        std::string output;
+        std::string shard;
+        ompl_mfa::CampaignOptions campaign;
+        bool quiet{false};
+        bool json{false};
+    };
+
+    /** \brief The runs of one planner, in numbers. */
+    struct PlannerSummary
+    {
+        std::string name;
+        std::size_t runs{0};
+        std::size_t solved{0};
+        /** \brief Runs that did not return by themselves. */
+        std::size_t ended{0};
+        std::vector<double> firstSolutions;
+        std::vector<double> costs;
+        std::vector<double> simplifiedCosts;
+    };
+
+    void addFinite(std::vector<double> &values, const ompl_mfa::RunRecord &record, const std::string &property)
+    {
+        const auto found = record.properties.find(property);
+        const double value = found == record.properties.end() ? HUGE_VAL : std::strtod(found->second.c_str(), nullptr);
+        if (std::isfinite(value))
+            values.push_back(value);
+    }
+
+    std::vector<PlannerSummary> summarize(const ompl_mfa::CampaignResult &result)
+    {
+        std::vector<PlannerSummary> summaries;
+        for (const auto &planner : result.log.planners)
+        {
+            PlannerSummary summary;
+            summary.name = planner.name.substr(planner.name.find('_') + 1);
+            for (const auto &record : result.records)
+            {
+                if (record.planner != planner.name)
+                    continue;
+                ++summary.runs;
+                const auto solved = record.properties.find("solved BOOLEAN");
+                summary.solved += solved != record.properties.end() && solved->second == "1" ? 1 : 0;
+                summary.ended += record.termination == ompl_mfa::RunTermination::RETURNED ? 0 : 1;
+                addFinite(summary.firstSolutions, record, "time to first solution REAL");
+                addFinite(summary.costs, record, "path cost REAL");
+                addFinite(summary.simplifiedCosts, record, "simplified path cost REAL");
+            }
+            summaries.push_back(summary);
+        }
+        return summaries;
+    }
+
+    double median(std::vector<double> values)
+    {
+        if (values.empty())
+            return NAN;
+        std::sort(values.begin(), values.end());
+        return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+    }
+
+    double mean(const std::vector<double> &values)
+    {
+        double sum = 0.0;
+        for (const double value : values)
+            sum += value;
+        return values.empty() ? NAN : sum / static_cast<double>(values.size());
+    }
+
+    std::string cell(double value)
+    {
+        char text[32];
+        std::snprintf(text, sizeof(text), "%.4g", value);
+        return std::isfinite(value) ? text : "-";
+    }
+
+    void printTable(const std::vector<PlannerSummary> &summaries)
+    {
+        std::printf("%-20s %6s %7s %7s %16s %12s %12s\n", "planner", "runs", "solved", "killed", "first solution s",
+                    "mean cost", "simplified");
+        for (const auto &summary : summaries)
+        {
+            std::printf("%-20s %6zu %7zu %7zu %16s %12s %12s\n", summary.name.c_str(), summary.runs, summary.solved,
+                        summary.ended, cell(median(summary.firstSolutions)).c_str(), cell(mean(summary.costs)).c_str(),
+                        cell(mean(summary.simplifiedCosts)).c_str());
+        }
+    }
+
+    nlohmann::json finiteOrNull(double value)
+    {
+        return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+    }
+
+    void printJson(const std::string &log, const std::vector<PlannerSummary> &summaries)
+    {
+        nlohmann::json document{{"log", log}, {"planners", nlohmann::json::array()}};
+        for (const auto &summary : summaries)
+        {
+            document["planners"].push_back({{"planner", summary.name},
+                                            {"runs", summary.runs},
+                                            {"solved", summary.solved},
+                                            {"ended_from_outside", summary.ended},
+                                            {"first_solution_median", finiteOrNull(median(summary.firstSolutions))},
+                                            {"cost_mean", finiteOrNull(mean(summary.costs))},
+                                            {"simplified_cost_mean", finiteOrNull(mean(summary.simplifiedCosts))}});
+        }
+        std::cout << document.dump(2) << std::endl;
+    }
+
+    void readShard(const std::string &text, ompl_mfa::CampaignOptions &options)
+    {
+        if (text.empty())
+            return;
+        int length = 0;
+        const int count = std::sscanf(text.c_str(), "%u/%u%n", &options.shard, &options.shards, &length);
+        const bool whole = count == 2 && static_cast<std::size_t>(length) == text.size();
+        if (!whole || text.find_first_of("+-") != std::string::npos || options.shard < 1 ||
+            options.shard > options.shards)
+        {
+            throw ompl_mfa::InputError("--shard " + text + ": accepted is I/N with 1 <= I <= N, such as 2/8");
+        }
+    }
+
+    void benchmark(Options options)
+    {
+        readShard(options.shard, options.campaign);
+        const ompl_mfa::BenchmarkConfig config = ompl_mfa::readBenchmarkConfig(options.config);
+        const ompl_mfa::Campaign campaign = ompl_mfa::makeCampaign(config);
+        campaign.validate();
+        options.campaign.log = options.output.empty()
+                                   ? ompl_mfa::logFile(config, options.campaign.shard, options.campaign.shards).string()
+                                   : options.output;
+        options.campaign.progress = options.quiet ? nullptr : &std::cerr;
+        options.campaign.terminal = isatty(STDERR_FILENO) != 0;
+
+        const ompl_mfa::CampaignResult result = campaign.run(options.campaign);
+        const auto summaries = summarize(result);
+        if (options.json)
+            printJson(options.campaign.log.string(), summaries);
+        else
+            printTable(summaries);
+        std::cerr << "log: " << options.campaign.log.string() << std::endl;
+        if (result.interruptedBy != 0)
+        {
+            std::cerr << "stopped with " << result.missing << " runs to go; --resume continues" << std::endl;
+            throw CLI::RuntimeError(SIGNAL_STATUS + result.interruptedBy);
+        }
+    }
+}  // namespace
+
+void ompl_mfa::cli::addBenchmarkCommand(CLI::App &app)
+{
+    const auto options = std::make_shared<Options>();
+    auto *command = app.add_subcommand("benchmark", "Run the planners of an OMPL benchmark config and write a log");
+    command->add_option("config", options->config, "OMPL benchmark config (.cfg)")->required();
+    command->add_option("--output", options->output, "The log; without it NAME.log where benchmark.output says");
+    command->add_option("--jobs", options->campaign.jobs, "Runs at the same time")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
+    command->add_option("--shard", options->shard, "Make only part I of N, as I/N; 'ompl_mfa merge' joins the parts");
+    command
+        ->add_option("--grace", options->campaign.grace,
+                     "Seconds after the time limit at which a planner that has not returned is killed (default: 1 "
+                     "and a tenth of the limit)")
+        ->check(CLI::Range(0.0, 1e9));
+    auto *resume =
+        command->add_flag("--resume", options->campaign.resume, "Make only the runs that an earlier call did not");
+    command->add_flag("--overwrite", options->campaign.overwrite, "Drop the runs of an interrupted campaign")
+        ->excludes(resume);
+    command->add_flag("--quiet", options->quiet, "Show no progress");
+    command->add_flag("--json", options->json, "Print one JSON document");
+    command->callback([options] { benchmark(*options); });
+}

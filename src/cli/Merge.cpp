@@ -1,0 +1,46 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/Commands.h"
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/benchmark/BenchmarkLog.h"
+
+namespace
+{
+    struct Options
+    {
+        std::vector<std::string> parts;
+        std::string output;
+        bool allowMissing{false};
+    };
+
+    void merge(const Options &options)
+    {
+        std::vector<ompl_mfa::BenchmarkLog> logs;
+        logs.reserve(options.parts.size());
+        for (const auto &part : options.parts)
+            logs.push_back(ompl_mfa::readBenchmarkLog(std::filesystem::path(part)));
+        const ompl_mfa::BenchmarkLog merged = ompl_mfa::mergeBenchmarkLogs(logs, options.parts, options.allowMissing);
+        ompl_mfa::writeBenchmarkLog(std::filesystem::path(options.output), merged);
+        std::size_t runs = 0;
+        for (const auto &planner : merged.planners)
+            runs += planner.runs.size();
+        std::cout << options.output << ": " << runs << " runs of " << merged.planners.size() << " planners from "
+                  << logs.size() << " parts" << std::endl;
+    }
+}  // namespace
+
+void ompl_mfa::cli::addMergeCommand(CLI::App &app)
+{
+    const auto options = std::make_shared<Options>();
+    auto *command = app.add_subcommand("merge", "Join the logs of the parts of a campaign into one");
+    command->add_option("parts", options->parts, "Logs of 'ompl_mfa benchmark --shard I/N'")->required();
+    command->add_option("--output", options->output, "The log that is written")->required();
+    command->add_flag("--allow-missing", options->allowMissing, "Join the parts even when runs are missing");
+    command->callback([options] { merge(*options); });
+}
