@@ -1,0 +1,252 @@
+#include <memory>
+#include <utility>
+
+#include "anytime/WorldList.h"
+#include "oracle/ShortestPath.h"
+
+namespace ompl_mfa::anytime
+{
+    namespace
+    {
+        /* Obstacles are open boxes: a path may touch them, as the exact optimum does. */
+        struct Box
+        {
+            Eigen::VectorXd lower;
+            Eigen::VectorXd upper;
+        };
+
+        struct BoxScene
+        {
+            Eigen::VectorXd start;
+            Eigen::VectorXd goal;
+            std::vector<Box> boxes;
+
+            Eigen::Index dimension() const
+            {
+                return start.size();
+            }
+        };
+
+        /* Longest step between two checked states of a motion in a cube of side 1; no wall is thinner than 0.02. */
+        constexpr double RESOLUTION = 0.001;
+        /* Walls reach this far out of the cube, so that no path slips along its face. */
+        constexpr double OUTSIDE = 0.1;
+
+        /* The coordinates of all boxes in a row, lower and upper of each coordinate side by side. */
+        StateCheck boxCheck(const BoxScene &scene)
+        {
+            std::vector<double> intervals;
+            for (const Box &box : scene.boxes)
+            {
+                for (Eigen::Index i = 0; i < scene.dimension(); ++i)
+                    intervals.insert(intervals.end(), {box.lower[i], box.upper[i]});
+            }
+            const auto dimension = static_cast<std::size_t>(scene.dimension());
+            return [intervals = std::move(intervals), dimension](const double *x)
+            {
+                for (std::size_t first = 0; first < intervals.size(); first += 2 * dimension)
+                {
+                    std::size_t i = 0;
+                    while (i < dimension && intervals[first + 2 * i] < x[i] && x[i] < intervals[first + 2 * i + 1])
+                        ++i;
+                    if (i == dimension)
+                        return false;
+                }
+                return true;
+            };
+        }
+
+        Problem makeBoxProblem(const BoxScene &scene)
+        {
+            const auto n = scene.dimension();
+            return makeProblem(Eigen::VectorXd::Zero(n), Eigen::VectorXd::Ones(n), scene.start, scene.goal, RESOLUTION,
+                               boxCheck(scene));
+        }
+
+        double planarOptimum(const BoxScene &scene)
+        {
+            oracle::Scene exact;
+            exact.lower = {0.0, 0.0};
+            exact.upper = {1.0, 1.0};
+            for (const Box &box : scene.boxes)
+                exact.obstacles.push_back(oracle::rectangle((box.lower + box.upper) / 2.0, box.upper - box.lower));
+            return oracle::shortestPath(exact, scene.start, scene.goal).length;
+        }
+
+        BoxScene emptyScene(Eigen::Index dimension, double startX, double goalX)
+        {
+            BoxScene scene{Eigen::VectorXd::Constant(dimension, 0.5), Eigen::VectorXd::Constant(dimension, 0.5), {}};
+            scene.start[0] = startX;
+            scene.goal[0] = goalX;
+            return scene;
+        }
+
+        /* Fills \e x by \e y and the whole cube in all other coordinates. */
+        void addWall(BoxScene &scene, double lowX, double highX, double lowY, double highY)
+        {
+            const auto n = scene.dimension();
+            Box wall{Eigen::VectorXd::Constant(n, -OUTSIDE), Eigen::VectorXd::Constant(n, 1.0 + OUTSIDE)};
+            wall.lower.head<2>() << lowX, lowY;
+            wall.upper.head<2>() << highX, highY;
+            scene.boxes.push_back(std::move(wall));
+        }
+
+        /* One wall between start and goal: a narrow gap in it, and a wide way around its end. */
+        BoxScene wallGap(Eigen::Index dimension, WorldRandom &random)
+        {
+            BoxScene scene = emptyScene(dimension, 0.1, 0.9);
+            const double gap = random.uniform(0.62, 0.68);
+            addWall(scene, 0.45, 0.55, -OUTSIDE, gap);
+            addWall(scene, 0.45, 0.55, gap + 0.03, 0.9);
+            return scene;
+        }
+
+        /* Three walls with four gaps each, of different widths: many homotopy classes. */
+        BoxScene dividingWalls(Eigen::Index dimension, WorldRandom &random)
+        {
+            BoxScene scene = emptyScene(dimension, 0.1, 0.9);
+            for (const double x : {0.3, 0.5, 0.7})
+            {
+                double low = -OUTSIDE;
+                for (int i = 0; i < 4; ++i)
+                {
+                    const double gap = 0.25 * i + random.uniform(0.03, 0.18);
+                    addWall(scene, x - 0.03, x + 0.03, low, gap);
+                    low = gap + random.uniform(0.02, 0.05);
+                }
+                addWall(scene, x - 0.03, x + 0.03, low, 1.0 + OUTSIDE);
+            }
+            return scene;
+        }
+
+        struct Shell
+        {
+            Eigen::VectorXd centre;
+            double inner;      // half the side of the room inside
+            double thickness;  // of its walls
+            double hole;       // half the side of the hole in the wall at x
+            bool opensLow;     // whether the hole is in the wall at low x
+        };
+
+        /* The wall across coordinate \e axis, whole. */
+        Box shellWall(const Shell &shell, Eigen::Index axis, bool low)
+        {
+            const double outer = shell.inner + shell.thickness;
+            Box wall{shell.centre.array() - outer, shell.centre.array() + outer};
+            if (low)
+                wall.upper[axis] = shell.centre[axis] - shell.inner;
+            else
+                wall.lower[axis] = shell.centre[axis] + shell.inner;
+            return wall;
+        }
+
+        void addShell(BoxScene &scene, const Shell &shell)
+        {
+            for (Eigen::Index axis = 0; axis < scene.dimension(); ++axis)
+            {
+                for (const bool low : {true, false})
+                {
+                    if (axis != 0 || low != shell.opensLow)
+                        scene.boxes.push_back(shellWall(shell, axis, low));
+                }
+            }
+            // what is left of the open wall around the hole: two slabs for each other coordinate
+            for (Eigen::Index axis = 1; axis < scene.dimension(); ++axis)
+            {
+                Box slab = shellWall(shell, 0, shell.opensLow);
+                slab.upper[axis] = shell.centre[axis] - shell.hole;
+                scene.boxes.push_back(slab);
+                slab = shellWall(shell, 0, shell.opensLow);
+                slab.lower[axis] = shell.centre[axis] + shell.hole;
+                scene.boxes.push_back(slab);
+            }
+        }
+
+        /* Start and goal each in a room whose hole faces away from the other. */
+        BoxScene doubleEnclosure(Eigen::Index dimension, WorldRandom &random)
+        {
+            BoxScene scene = emptyScene(dimension, 0.25, 0.75);
+            const double hole = random.uniform(0.035, 0.05);
+            addShell(scene, {scene.start, random.uniform(0.09, 0.12), 0.03, hole, true});
+            addShell(scene, {scene.goal, random.uniform(0.09, 0.12), 0.03, hole, false});
+            return scene;
+        }
+
+        bool keepsClear(const Box &box, const Eigen::VectorXd &x)
+        {
+            return (x.array() < box.lower.array() - 0.02 || x.array() > box.upper.array() + 0.02).any();
+        }
+
+        /* Boxes anywhere; a third of them across the straight line, which is what matters in many dimensions. */
+        BoxScene randomBoxes(Eigen::Index dimension, int count, double low, double high, WorldRandom &random)
+        {
+            BoxScene scene = emptyScene(dimension, 0.05, 0.95);
+            while (static_cast<int>(scene.boxes.size()) < count)
+            {
+                const bool across = scene.boxes.size() % 3 == 0;
+                Box box{Eigen::VectorXd(dimension), Eigen::VectorXd(dimension)};
+                for (Eigen::Index i = 0; i < dimension; ++i)
+                {
+                    const double side = random.uniform(low, high) * (across && i == 0 ? 0.5 : 1.0);
+                    const double reach = across && i > 0 ? 0.5 * side : 0.5;
+                    const double centre = 0.5 + random.uniform(-reach, reach);
+                    box.lower[i] = centre - side / 2.0;
+                    box.upper[i] = centre + side / 2.0;
+                }
+                if (keepsClear(box, scene.start) && keepsClear(box, scene.goal))
+                    scene.boxes.push_back(std::move(box));
+            }
+            return scene;
+        }
+
+        using SceneMaker = std::function<BoxScene(Eigen::Index, WorldRandom &)>;
+
+        /* \e planar: the shortest path keeps to the plane of the first two coordinates, so that the optimum of the
+           same scene in two dimensions is the optimum. */
+        World boxWorld(const std::string &kind, Eigen::Index dimension, std::uint64_t seed, bool planar,
+                       const SceneMaker &maker)
+        {
+            World world;
+            world.family = kind + "_" + std::to_string(dimension) + "d";
+            world.name = world.family + "_" + std::to_string(seed);
+            world.make = [=]
+            {
+                WorldRandom random(seed);
+                return makeBoxProblem(maker(dimension, random));
+            };
+            if (planar)
+                world.optimum = [=]
+                {
+                    WorldRandom random(seed);
+                    return planarOptimum(maker(2, random));
+                };
+            return world;
+        }
+
+        World randomBoxWorld(Eigen::Index dimension, std::uint64_t seed, int count, double low, double high)
+        {
+            return boxWorld("random_boxes", dimension, seed, dimension == 2,
+                            [=](Eigen::Index n, WorldRandom &random)
+                            { return randomBoxes(n, count, low, high, random); });
+        }
+    }  // namespace
+
+    std::vector<World> boxWorlds()
+    {
+        std::vector<World> worlds;
+        for (const Eigen::Index dimension : {2, 4, 8})
+            worlds.push_back(boxWorld("wall_gap", dimension, 1, true, wallGap));
+        for (const Eigen::Index dimension : {2, 4})
+            worlds.push_back(boxWorld("double_enclosure", dimension, 1, true, doubleEnclosure));
+        for (const Eigen::Index dimension : {2, 4})
+            worlds.push_back(boxWorld("dividing_walls", dimension, 1, true, dividingWalls));
+        for (const std::uint64_t seed : {1, 2})
+        {
+            worlds.push_back(randomBoxWorld(2, seed, 40, 0.08, 0.2));
+            worlds.push_back(randomBoxWorld(4, seed, 60, 0.2, 0.5));
+            worlds.push_back(randomBoxWorld(8, seed, 60, 0.4, 0.8));
+            worlds.push_back(randomBoxWorld(16, seed, 60, 0.6, 0.95));
+        }
+        return worlds;
+    }
+}  // namespace ompl_mfa::anytime

@@ -1,0 +1,108 @@
+#include "anytime/Campaign.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <list>
+#include <ostream>
+#include <thread>
+
+#include <sched.h>
+
+#include "anytime/PlannerText.h"
+#include "anytime/RunFile.h"
+#include "anytime/RunProcess.h"
+#include "ompl_mfa/InputError.h"
+
+namespace ompl_mfa::anytime
+{
+    namespace
+    {
+        std::vector<int> availableCores()
+        {
+            cpu_set_t set;
+            CPU_ZERO(&set);
+            sched_getaffinity(0, sizeof(set), &set);
+            std::vector<int> cores;
+            for (int core = 0; core < CPU_SETSIZE; ++core)
+            {
+                if (CPU_ISSET(core, &set))
+                    cores.push_back(core);
+            }
+            return cores;
+        }
+
+        std::list<RunRequest> missingRuns(const CampaignRequest &campaign, const RunFile &file)
+        {
+            std::list<RunRequest> missing;
+            for (std::uint32_t seed = 1; seed <= campaign.seeds; ++seed)
+            {
+                for (const World &world : campaign.worlds)
+                {
+                    for (const std::string &planner : campaign.planners)
+                    {
+                        RunRequest request{&world, planner, seed, campaign.timeLimit, campaign.clock};
+                        if (!file.has(request))
+                            missing.push_back(std::move(request));
+                    }
+                }
+            }
+            return missing;
+        }
+
+        void reportRun(const RunProcess &run, std::size_t number, std::size_t total, std::ostream &progress)
+        {
+            const RunRequest &request = run.request();
+            const RunResult &result = run.result();
+            progress << "[" << number << "/" << total << "] " << request.world->name << " " << request.planner << " #"
+                     << request.seed << ": " << run.status();
+            if (result.solved)
+                progress << ", cost " << std::setprecision(6) << result.cost
+                         << (result.valid ? "" : ", which fails check()");
+            progress << std::endl;
+        }
+
+        struct Slot
+        {
+            int core;
+            std::unique_ptr<RunProcess> run;
+        };
+    }  // namespace
+
+    void runCampaign(const CampaignRequest &campaign, const std::filesystem::path &runs, std::ostream &progress)
+    {
+        const std::vector<int> cores = availableCores();
+        if (campaign.jobs < 1 || campaign.jobs > cores.size())
+            throw InputError("--jobs " + std::to_string(campaign.jobs) + ": accepted are 1 to " +
+                             std::to_string(cores.size()) + ", the number of cores");
+        for (const std::string &planner : campaign.planners)
+            parsePlanner(planner);
+        RunFile file(runs);
+        std::list<RunRequest> waiting = missingRuns(campaign, file);
+        const std::size_t total = waiting.size();
+        std::size_t done = 0;
+        std::vector<Slot> slots;
+        for (unsigned int i = 0; i < campaign.jobs; ++i)
+            slots.push_back({cores[i], nullptr});
+        while (done < total)
+        {
+            for (Slot &slot : slots)
+            {
+                if (slot.run && slot.run->finished())
+                {
+                    if (slot.run->status() == "bad request")
+                        throw InputError(slot.run->result().note);
+                    file.append(*slot.run);
+                    reportRun(*slot.run, ++done, total, progress);
+                    slot.run.reset();
+                }
+                if (!slot.run && !waiting.empty())
+                {
+                    slot.run = std::make_unique<RunProcess>(waiting.front(), slot.core);
+                    waiting.pop_front();
+                }
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    }
+}  // namespace ompl_mfa::anytime

@@ -1,0 +1,63 @@
+#include <algorithm>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+
+#include "anytime/WorldList.h"
+#include "ompl_mfa/benchmark/ProblemFactory.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa::anytime
+{
+    namespace
+    {
+        /* Every world is measured by path length, whatever its config asks for. */
+        Problem makeConfigProblem(const std::filesystem::path &file)
+        {
+            const auto setup = ProblemFactory(readBenchmarkConfig(file)).create();
+            const auto &pdef = setup->getProblemDefinition();
+            const auto length = std::make_shared<ob::PathLengthOptimizationObjective>(setup->getSpaceInformation());
+            length->setCostThreshold(ob::Cost(0.0));
+            pdef->setOptimizationObjective(length);
+            return countChecks(setup->getSpaceInformation(), pdef);
+        }
+
+        bool isRigidBody(const std::filesystem::path &file)
+        {
+            const StateSpaceKind kind = readBenchmarkConfig(file).problem.space;
+            return kind == StateSpaceKind::SE2 || kind == StateSpaceKind::SE3;
+        }
+
+        World configWorld(const std::filesystem::path &file, const std::string &prefix)
+        {
+            const std::string name = prefix + file.stem().string();
+            return {name, name, [file] { return makeConfigProblem(file); }, {}};
+        }
+    }  // namespace
+
+    std::vector<World> configWorlds(const std::filesystem::path &folder, const std::string &prefix)
+    {
+        std::vector<World> worlds;
+        if (!std::filesystem::is_directory(folder))
+            return worlds;
+        for (const auto &entry : std::filesystem::directory_iterator(folder))
+        {
+            if (entry.path().extension() == ".cfg" && isRigidBody(entry.path()))
+                worlds.push_back(configWorld(entry.path(), prefix));
+        }
+        std::sort(worlds.begin(), worlds.end(), [](const World &a, const World &b) { return a.name < b.name; });
+        return worlds;
+    }
+
+    std::vector<World> omplAppWorlds(const std::filesystem::path &folder)
+    {
+        std::vector<World> worlds;
+        for (const char *name : {"2D/Barriers", "2D/RandomPolygons_planar", "3D/cubicles", "3D/Easy", "3D/Twistycool"})
+        {
+            const std::filesystem::path file = folder / (std::string(name) + ".cfg");
+            if (std::filesystem::is_regular_file(file))
+                worlds.push_back(configWorld(file, "omplapp_"));
+        }
+        return worlds;
+    }
+}  // namespace ompl_mfa::anytime

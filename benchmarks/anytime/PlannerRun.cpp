@@ -1,0 +1,84 @@
+#include "anytime/PlannerRun.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "anytime/PlannerText.h"
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/benchmark/PlannerFactory.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa::anytime
+{
+    namespace
+    {
+        bool joinsStartAndGoal(const Problem &problem, og::PathGeometric &path)
+        {
+            if (path.getStateCount() == 0)
+                return false;
+            const auto &space = problem.si->getStateSpace();
+            const double tolerance = 1e-9 * space->getMaximumExtent();
+            return space->distance(path.getState(0), problem.pdef->getStartState(0)) <= tolerance &&
+                   problem.pdef->getGoal()->isSatisfied(path.getState(path.getStateCount() - 1));
+        }
+
+        void timePathCheck(const Problem &problem, const og::PathGeometric &path, RunResult &result)
+        {
+            constexpr int REPETITIONS = 5;
+            result.pathCheck = std::numeric_limits<double>::infinity();
+            const std::uint64_t before = problem.checker->checks();
+            for (int i = 0; i < REPETITIONS; ++i)
+            {
+                const double start = cpuTime();
+                for (std::size_t k = 1; k < path.getStateCount(); ++k)
+                    problem.si->checkMotion(path.getState(k - 1), path.getState(k));
+                result.pathCheck = std::min(result.pathCheck, cpuTime() - start);
+            }
+            result.pathChecks = (problem.checker->checks() - before) / REPETITIONS;
+        }
+
+        void checkPath(const Problem &problem, RunResult &result)
+        {
+            result.cost = std::numeric_limits<double>::infinity();
+            result.solved = problem.pdef->hasExactSolution();
+            if (!result.solved)
+                return;
+            const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.pdef->getSolutionPath());
+            result.valid = path->check() && joinsStartAndGoal(problem, *path);
+            result.cost = path->cost(problem.pdef->getOptimizationObjective()).value();
+            result.states = static_cast<unsigned int>(path->getStateCount());
+            timePathCheck(problem, *path, result);
+        }
+    }  // namespace
+
+    void runPlanner(const RunRequest &request, RunResult &result)
+    {
+        ompl::msg::noOutputHandler();
+        ompl::RNG::setSeed(request.seed);
+        const Problem problem = request.world->make();
+        const ob::PlannerPtr planner = createPlanner(problem.si, parsePlanner(request.planner));
+        planner->setProblemDefinition(problem.pdef);
+        const std::uint64_t checksBefore = problem.checker->checks();
+        const double wallBefore = wallTime();
+        result.cpuBefore = cpuTime();
+        result.stage = Stage::SOLVING;
+        {
+            CostTrace trace(problem, *planner, request.clock, request.timeLimit, result.log);
+            planner->setup();
+            planner->solve(ob::PlannerTerminationCondition([&trace] { return trace.expired(); }));
+            result.wall = wallTime() - wallBefore;
+            result.cpu = cpuTime() - result.cpuBefore;
+            result.checks = problem.checker->checks() - checksBefore;
+            result.stage = Stage::CHECKING;
+            checkPath(problem, result);
+        }
+        result.stage = Stage::DONE;
+    }
+}  // namespace ompl_mfa::anytime

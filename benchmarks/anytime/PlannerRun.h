@@ -1,0 +1,63 @@
+#ifndef OMPL_MFA_BENCHMARKS_ANYTIME_PLANNER_RUN_
+#define OMPL_MFA_BENCHMARKS_ANYTIME_PLANNER_RUN_
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+#include "anytime/CostTrace.h"
+#include "anytime/World.h"
+
+namespace ompl_mfa::anytime
+{
+    struct RunRequest
+    {
+        const World *world;
+        /** \brief As parsePlanner() reads it. */
+        std::string planner;
+        /** \brief Above 0. */
+        std::uint32_t seed;
+        /** \brief Seconds of \e clock. */
+        double timeLimit;
+        Clock clock;
+    };
+
+    enum class Stage
+    {
+        PREPARING,   ///< the world is being made
+        SOLVING,     ///< the planner has been started
+        CHECKING,    ///< it has returned, and its path is being checked
+        DONE,        ///< all fields are set
+        BAD_REQUEST  ///< planner or world cannot be made; see note
+    };
+
+    /** \brief What one run leaves. It lives in memory shared with the process of the run. */
+    struct RunResult
+    {
+        std::atomic<Stage> stage{Stage::PREPARING};
+        /** \brief Seconds that the planner took, on both clocks, and states that it checked. */
+        double wall{0.0};
+        double cpu{0.0};
+        std::uint64_t checks{0};
+        /** \brief Processor time of the process when the planner was started. */
+        double cpuBefore{0.0};
+        /** \brief Whether there is a path that ends in the goal, and whether that path passes PathGeometric::check()
+            and leads from the start to the goal. */
+        bool solved{false};
+        bool valid{false};
+        /** \brief Cost of the path as it was returned; infinite without one. */
+        double cost{0.0};
+        unsigned int states{0};
+        /** \brief Seconds to check the returned path once (the least of several times), and states checked for it. */
+        double pathCheck{0.0};
+        std::uint64_t pathChecks{0};
+        char note[200]{};
+        ImprovementLog log;
+    };
+
+    /** \brief Makes the problem and the planner and runs it, once in the life of a process: OMPL's seed is set here.
+        Exceptions of the planner pass through. */
+    void runPlanner(const RunRequest &request, RunResult &result);
+}  // namespace ompl_mfa::anytime
+
+#endif

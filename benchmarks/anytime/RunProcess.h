@@ -1,0 +1,69 @@
+#ifndef OMPL_MFA_BENCHMARKS_ANYTIME_RUN_PROCESS_
+#define OMPL_MFA_BENCHMARKS_ANYTIME_RUN_PROCESS_
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <sys/types.h>
+
+#include "anytime/PlannerRun.h"
+
+namespace ompl_mfa::anytime
+{
+    /** \brief Executed in the process of the run. */
+    using RunBody = std::function<void(const RunRequest &, RunResult &)>;
+
+    /** \brief One run in a process of its own, bound to one core, so that planners with several threads get no more
+        than the others. The process may crash, hang or eat memory: what it logged until then can be read. */
+    class RunProcess
+    {
+    public:
+        /** \brief Forks. \e core is a number as sched_setaffinity() takes it. Throws std::runtime_error where the
+            system refuses. */
+        RunProcess(const RunRequest &request, int core, const RunBody &body = runPlanner);
+
+        /** \brief Kills the process if it still lives. */
+        ~RunProcess();
+
+        RunProcess(RunProcess &&other) noexcept;
+        RunProcess &operator=(RunProcess &&) = delete;
+        RunProcess(const RunProcess &) = delete;
+        RunProcess &operator=(const RunProcess &) = delete;
+
+        const RunRequest &request() const
+        {
+            return request_;
+        }
+
+        /** \brief Whether the process has ended; kills it when it is far beyond its time limit: half as much again and
+            one second of its clock, six times and half a minute of the wall clock. */
+        bool finished();
+
+        /** \brief After the end: `returned`; `killed` (it did not return by itself); `signal NAME`; `exception` or
+            `out of memory`, thrown by the planner; `bad request`. */
+        const std::string &status() const
+        {
+            return status_;
+        }
+
+        const RunResult &result() const
+        {
+            return *result_;
+        }
+
+    private:
+        void startChild(int core, const RunBody &body);
+        bool isOverdue() const;
+        void readStatus(int waitStatus);
+
+        RunRequest request_;
+        std::shared_ptr<RunResult> result_;
+        pid_t pid_{-1};
+        double started_{0.0};
+        bool killed_{false};
+        std::string status_;
+    };
+}  // namespace ompl_mfa::anytime
+
+#endif

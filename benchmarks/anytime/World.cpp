@@ -1,0 +1,101 @@
+#include "anytime/World.h"
+
+#include <cmath>
+#include <utility>
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa::anytime
+{
+    namespace
+    {
+        /* The closed-form check of a state of R^n; bounds belong to it, as they do for OMPL's own checkers. */
+        class ClosedFormChecker : public ob::StateValidityChecker
+        {
+        public:
+            ClosedFormChecker(const ob::SpaceInformationPtr &si, StateCheck isFree)
+              : StateValidityChecker(si)
+              , isFree_(std::move(isFree))
+            {
+            }
+
+            bool isValid(const ob::State *state) const override
+            {
+                return si_->satisfiesBounds(state) &&
+                       isFree_(state->as<ob::RealVectorStateSpace::StateType>()->values);
+            }
+
+        private:
+            StateCheck isFree_;
+        };
+
+        ob::ScopedState<> toState(const ob::StateSpacePtr &space, const Eigen::VectorXd &x)
+        {
+            ob::ScopedState<> state(space);
+            for (Eigen::Index i = 0; i < x.size(); ++i)
+                state[static_cast<unsigned int>(i)] = x[i];
+            return state;
+        }
+    }  // namespace
+
+    CountingChecker::CountingChecker(const ob::SpaceInformationPtr &si, ob::StateValidityCheckerPtr counted)
+      : StateValidityChecker(si)
+      , counted_(std::move(counted))
+    {
+        specs_ = counted_->getSpecs();
+    }
+
+    bool CountingChecker::isValid(const ob::State *state) const
+    {
+        checks_.fetch_add(1, std::memory_order_relaxed);
+        return counted_->isValid(state);
+    }
+
+    double CountingChecker::clearance(const ob::State *state) const
+    {
+        return counted_->clearance(state);
+    }
+
+    Problem countChecks(const ob::SpaceInformationPtr &si, const ob::ProblemDefinitionPtr &pdef)
+    {
+        Problem problem{si, pdef, nullptr};
+        const auto checker = std::make_shared<CountingChecker>(si, si->getStateValidityChecker());
+        problem.checker = checker;
+        si->setStateValidityChecker(checker);
+        si->setup();
+        return problem;
+    }
+
+    Problem makeProblem(const Eigen::VectorXd &lower, const Eigen::VectorXd &upper, const Eigen::VectorXd &start,
+                        const Eigen::VectorXd &goal, double resolution, StateCheck isFree)
+    {
+        const auto dimension = static_cast<unsigned int>(lower.size());
+        const auto space = std::make_shared<ob::RealVectorStateSpace>(dimension);
+        ob::RealVectorBounds bounds(dimension);
+        for (unsigned int i = 0; i < dimension; ++i)
+        {
+            bounds.setLow(i, lower[i]);
+            bounds.setHigh(i, upper[i]);
+        }
+        space->setBounds(bounds);
+        space->setLongestValidSegmentFraction(resolution / (upper - lower).norm());
+        const auto si = std::make_shared<ob::SpaceInformation>(space);
+        si->setStateValidityChecker(std::make_shared<ClosedFormChecker>(si, std::move(isFree)));
+        const auto pdef = std::make_shared<ob::ProblemDefinition>(si);
+        pdef->setStartAndGoalStates(toState(space, start), toState(space, goal));
+        const auto length = std::make_shared<ob::PathLengthOptimizationObjective>(si);
+        length->setCostThreshold(ob::Cost(0.0));
+        pdef->setOptimizationObjective(length);
+        return countChecks(si, pdef);
+    }
+
+    double WorldRandom::uniform(double low, double high)
+    {
+        const double unit = std::ldexp(static_cast<double>(engine_() >> 11), -53);
+        return low + unit * (high - low);
+    }
+}  // namespace ompl_mfa::anytime

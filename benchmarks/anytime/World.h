@@ -1,0 +1,89 @@
+#ifndef OMPL_MFA_BENCHMARKS_ANYTIME_WORLD_
+#define OMPL_MFA_BENCHMARKS_ANYTIME_WORLD_
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/StateValidityChecker.h>
+
+namespace ompl_mfa::anytime
+{
+    /** \brief Counts the states that the wrapped checker is asked for. As thread-safe as the wrapped checker. */
+    class CountingChecker : public ompl::base::StateValidityChecker
+    {
+    public:
+        CountingChecker(const ompl::base::SpaceInformationPtr &si, ompl::base::StateValidityCheckerPtr counted);
+
+        bool isValid(const ompl::base::State *state) const override;
+
+        double clearance(const ompl::base::State *state) const override;
+
+        std::uint64_t checks() const
+        {
+            return checks_.load(std::memory_order_relaxed);
+        }
+
+    private:
+        ompl::base::StateValidityCheckerPtr counted_;
+        mutable std::atomic<std::uint64_t> checks_{0};
+    };
+
+    /** \brief One start, one goal, a counted validity checker and path length as the objective. */
+    struct Problem
+    {
+        ompl::base::SpaceInformationPtr si;
+        ompl::base::ProblemDefinitionPtr pdef;
+        std::shared_ptr<const CountingChecker> checker;
+    };
+
+    /** \brief A problem that is made anew, and always alike, in the process of each run. */
+    struct World
+    {
+        std::string name;
+        /** \brief Worlds that differ in their seed only are of one family. */
+        std::string family;
+        /** \brief Makes random number generators of OMPL: a seed is to be set before. */
+        std::function<Problem()> make;
+        /** \brief Length of the shortest path, from geometry; empty where only searches know it. */
+        std::function<double()> optimum;
+    };
+
+    using StateCheck = std::function<bool(const double *)>;
+
+    /** \brief A problem in a box of R^n with path length as its objective.
+
+        \e isFree takes the n coordinates of a state within bounds. \e resolution is the largest distance between two
+        checked states of a motion. */
+    Problem makeProblem(const Eigen::VectorXd &lower, const Eigen::VectorXd &upper, const Eigen::VectorXd &start,
+                        const Eigen::VectorXd &goal, double resolution, StateCheck isFree);
+
+    /** \brief As OMPL's problem of \e si and \e pdef, its checker counted. */
+    Problem countChecks(const ompl::base::SpaceInformationPtr &si, const ompl::base::ProblemDefinitionPtr &pdef);
+
+    /** \brief The generator of the worlds. Standard distributions differ between libraries; this one repeats. */
+    class WorldRandom
+    {
+    public:
+        explicit WorldRandom(std::uint64_t seed)
+          : engine_(seed)
+        {
+        }
+
+        /** \brief Uniform in [low, high). */
+        double uniform(double low, double high);
+
+    private:
+        std::mt19937_64 engine_;
+    };
+}  // namespace ompl_mfa::anytime
+
+#endif

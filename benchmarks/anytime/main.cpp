@@ -1,0 +1,152 @@
+#include <cstdint>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include "anytime/Campaign.h"
+#include "anytime/PlannerText.h"
+#include "anytime/WorldList.h"
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/benchmark/PlannerFactory.h"
+
+namespace anytime = ompl_mfa::anytime;
+
+namespace
+{
+    struct Options
+    {
+        std::string worlds{"."};
+        std::string planners{"mfa,peers"};
+        std::uint32_t seeds{15};
+        double time{2.0};
+        std::string clock{"cpu"};
+        unsigned int jobs{1};
+        std::filesystem::path runs{"anytime-runs.jsonl"};
+        std::filesystem::path csv;
+        std::filesystem::path markdown;
+        bool fresh{false};
+    };
+
+    void list()
+    {
+        for (const auto &world : anytime::allWorlds())
+            std::cout << world.name << '\n';
+        std::cout << "\nplanners, as PLANNER[:KEY=VALUE,...]:";
+        for (const auto &name : ompl_mfa::plannerNames())
+            std::cout << ' ' << name;
+        std::cout << "\npeers:";
+        for (const auto &name : anytime::peers())
+            std::cout << ' ' << name;
+        std::cout << '\n';
+    }
+
+    void printOptima(const Options &options)
+    {
+        std::cout << "world,cost,source\n" << std::setprecision(12);
+        for (const auto &world : anytime::selectWorlds(options.worlds))
+        {
+            if (world.optimum)
+                std::cout << world.name << ',' << world.optimum() << ",exact\n";
+        }
+    }
+
+    /* Replaces this process by the statistics, which are Debian's scipy. */
+    [[noreturn]] void report(const Options &options)
+    {
+        std::vector<std::string> arguments{"/usr/bin/python3",
+                                           OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/report.py",
+                                           options.runs.string(),
+                                           "--clock",
+                                           options.clock,
+                                           "--worlds",
+                                           options.worlds};
+        if (!options.csv.empty())
+            arguments.insert(arguments.end(), {"--csv", options.csv.string()});
+        if (!options.markdown.empty())
+            arguments.insert(arguments.end(), {"--markdown", options.markdown.string()});
+        std::vector<char *> pointers;
+        for (std::string &argument : arguments)
+            pointers.push_back(argument.data());
+        pointers.push_back(nullptr);
+        std::cout << std::flush;
+        execv(pointers.front(), pointers.data());
+        throw ompl_mfa::InputError("/usr/bin/python3: cannot be run; the report needs python3 with python3-scipy");
+    }
+
+    void run(const Options &options)
+    {
+        if (options.fresh)
+            std::filesystem::remove(options.runs);
+        anytime::CampaignRequest campaign{
+            anytime::selectWorlds(options.worlds),
+            anytime::splitPlanners(options.planners),
+            options.seeds,
+            options.time,
+            options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::WALL,
+            options.jobs};
+        anytime::runCampaign(campaign, options.runs, std::cerr);
+        report(options);
+    }
+
+    void addReportOptions(CLI::App &command, Options &options)
+    {
+        command.add_option("--worlds", options.worlds, "regular expression that selects worlds")->capture_default_str();
+        command.add_option("--runs", options.runs, "file of the runs")->capture_default_str();
+        command.add_option("--clock", options.clock, "what times count: cpu is deaf to other programs")
+            ->check(CLI::IsMember({"cpu", "wall"}))
+            ->capture_default_str();
+        command.add_option("--csv", options.csv, "write a row a world and planner to this file");
+        command.add_option("--markdown", options.markdown, "write the tables to this file");
+    }
+
+    int parseAndRun(int argc, char **argv)
+    {
+        CLI::App app("Cost over time of MFA and its peers, one process a run");
+        app.require_subcommand(1);
+        Options options;
+        app.add_subcommand("list", "names of worlds and planners")->callback(list);
+        auto *optima = app.add_subcommand("optima", "exact optima of the worlds that have one, as CSV");
+        optima->add_option("--worlds", options.worlds, "regular expression that selects worlds");
+        optima->callback([&options] { printOptima(options); });
+        auto *running = app.add_subcommand("run", "make the runs that are missing, then report");
+        addReportOptions(*running, options);
+        running->add_option("--planners", options.planners, "PLANNER[:KEY=VALUE,...],...; `peers` stands for all peers")
+            ->capture_default_str();
+        running->add_option("--seeds", options.seeds, "runs a world and planner")
+            ->check(CLI::Range(1, 1000000))
+            ->capture_default_str();
+        running->add_option("--time", options.time, "seconds a run")->check(CLI::PositiveNumber)->capture_default_str();
+        running->add_option("--jobs", options.jobs, "runs at a time, one a core")->capture_default_str();
+        running->add_flag("--fresh", options.fresh, "forget the runs of the file first");
+        running->callback([&options] { run(options); });
+        auto *reporting = app.add_subcommand("report", "statistics of the runs made so far");
+        addReportOptions(*reporting, options);
+        reporting->callback([&options] { report(options); });
+        CLI11_PARSE(app, argc, argv);
+        return 0;
+    }
+}  // namespace
+
+int main(int argc, char **argv)
+{
+    try
+    {
+        return parseAndRun(argc, argv);
+    }
+    catch (const ompl_mfa::InputError &error)
+    {
+        std::cerr << "ompl_mfa_anytime: " << error.what() << '\n';
+        return 2;
+    }
+    catch (const std::exception &error)
+    {
+        std::cerr << "ompl_mfa_anytime: " << error.what() << '\n';
+        return 1;
+    }
+}
