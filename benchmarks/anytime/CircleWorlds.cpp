@@ -9,10 +9,6 @@ namespace ompl_mfa::anytime
     {
         constexpr int CIRCLES = 70;
         constexpr double RESOLUTION = 0.001;
-        /* The best class is narrow when discs grown by this much close it ... */
-        constexpr double NARROW = 0.004;
-        /* ... and the way that is left then is longer by this factor. */
-        constexpr double DETOUR = 1.02;
 
         oracle::Point start()
         {
@@ -40,15 +36,6 @@ namespace ompl_mfa::anytime
             return scene;
         }
 
-        bool hasNarrowBestClass(oracle::Scene scene)
-        {
-            const double shortest = oracle::shortestPath(scene, start(), goal()).length;
-            scene.robotRadius = NARROW;
-            const double withMargin = oracle::shortestPath(scene, start(), goal()).length;
-            return withMargin > DETOUR * shortest && withMargin < 2.0;
-        }
-
-        /* \e seed is one that hasNarrowBestClass(), found once by going through all from 1. */
         oracle::Scene makeScene(std::uint64_t seed)
         {
             WorldRandom random(seed);
@@ -59,8 +46,7 @@ namespace ompl_mfa::anytime
         {
             std::vector<double> circles;  // x, y and squared radius of each
             for (const auto &disc : makeScene(seed).obstacles)
-                circles.insert(circles.end(),
-                               {disc.vertices[0].x(), disc.vertices[0].y(), disc.radius * disc.radius});
+                circles.insert(circles.end(), {disc.vertices[0].x(), disc.vertices[0].y(), disc.radius * disc.radius});
             const auto isFree = [circles = std::move(circles)](const double *x)
             {
                 for (std::size_t i = 0; i < circles.size(); i += 3)
@@ -76,27 +62,24 @@ namespace ompl_mfa::anytime
         }
     }  // namespace
 
-    std::vector<std::uint64_t> narrowCircleSeeds(std::uint64_t last)
+    double circleOptimum(std::uint64_t seed, double margin)
     {
-        std::vector<std::uint64_t> seeds;
-        for (std::uint64_t seed = 1; seed <= last; ++seed)
-        {
-            if (hasNarrowBestClass(makeScene(seed)))
-                seeds.push_back(seed);
-        }
-        return seeds;
+        oracle::Scene scene = makeScene(seed);
+        scene.robotRadius = margin;
+        return oracle::shortestPath(scene, start(), goal()).length;
     }
 
     std::vector<World> circleWorlds()
     {
         std::vector<World> worlds;
-        for (const std::uint64_t seed : {1, 2, 3})
+        // the first seeds whose shortest path grows by more than 2% when the discs grow by 0.004
+        for (const std::uint64_t seed : {3, 7, 8})
         {
             World world;
             world.family = "circles_narrow_2d";
             world.name = world.family + "_" + std::to_string(seed);
             world.make = [seed] { return makeCircleProblem(seed); };
-            world.optimum = [seed] { return oracle::shortestPath(makeScene(seed), start(), goal()).length; };
+            world.optimum = [seed] { return circleOptimum(seed, 0.0); };
             worlds.push_back(std::move(world));
         }
         return worlds;

@@ -29,8 +29,7 @@ namespace ompl_mfa::anytime
 
         std::shared_ptr<RunResult> makeSharedResult()
         {
-            void *memory =
-                mmap(nullptr, sizeof(RunResult), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+            void *memory = mmap(nullptr, sizeof(RunResult), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
             if (memory == MAP_FAILED)
                 throw std::runtime_error(std::string("no memory to share with a run: ") + std::strerror(errno));
             return {new (memory) RunResult, [](RunResult *result) { munmap(result, sizeof(RunResult)); }};

@@ -25,8 +25,7 @@ namespace ompl_mfa::anytime
 
             bool isValid(const ob::State *state) const override
             {
-                return si_->satisfiesBounds(state) &&
-                       isFree_(state->as<ob::RealVectorStateSpace::StateType>()->values);
+                return si_->satisfiesBounds(state) && isFree_(state->as<ob::RealVectorStateSpace::StateType>()->values);
             }
 
         private:

@@ -15,6 +15,9 @@ namespace ompl_mfa::anytime
     /** \brief Unit squares full of discs whose shortest path squeezes through a gap that is easily missed. */
     std::vector<World> circleWorlds();
 
+    /** \brief Length of the shortest path of the circle world of \e seed that keeps \e margin away from its discs. */
+    double circleOptimum(std::uint64_t seed, double margin);
+
     /** \brief Planar arms of 7 and 12 links that have to fold to get past discs. Angles in radians. */
     std::vector<World> armWorlds();
 

@@ -59,12 +59,9 @@ namespace
     /* Replaces this process by the statistics, which are Debian's scipy. */
     [[noreturn]] void report(const Options &options)
     {
-        std::vector<std::string> arguments{"/usr/bin/python3",
-                                           OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/report.py",
-                                           options.runs.string(),
-                                           "--clock",
-                                           options.clock,
-                                           "--worlds",
+        std::vector<std::string> arguments{"/usr/bin/python3",    OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/report.py",
+                                           options.runs.string(), "--clock",
+                                           options.clock,         "--worlds",
                                            options.worlds};
         if (!options.csv.empty())
             arguments.insert(arguments.end(), {"--csv", options.csv.string()});
@@ -83,13 +80,12 @@ namespace
     {
         if (options.fresh)
             std::filesystem::remove(options.runs);
-        anytime::CampaignRequest campaign{
-            anytime::selectWorlds(options.worlds),
-            anytime::splitPlanners(options.planners),
-            options.seeds,
-            options.time,
-            options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::WALL,
-            options.jobs};
+        anytime::CampaignRequest campaign{anytime::selectWorlds(options.worlds),
+                                          anytime::splitPlanners(options.planners),
+                                          options.seeds,
+                                          options.time,
+                                          options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::WALL,
+                                          options.jobs};
         anytime::runCampaign(campaign, options.runs, std::cerr);
         report(options);
     }
