@@ -178,15 +178,15 @@ namespace ompl_mfa
         if (swarms_.empty())
             return;
         Swarm &swarm = *swarms_[activeSwarm_];
-        const std::uint64_t before = swarm.evaluations();
         const unsigned int generation = swarm.fireflies().generation();
         const bool completed = swarm.step(
             [&]
             {
+                if (evaluator_->interrupted() || ptc())
+                    return true;
                 ++evaluations_;
-                return evaluator_->interrupted() || ptc();
+                return false;
             });
-        evaluations_ += swarm.evaluations() - before;
         if (!completed)
             return;
         if (swarm.fireflies().generation() != generation)
