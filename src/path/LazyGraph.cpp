@@ -32,16 +32,15 @@ namespace ompl_mfa
         goals_.clear();
     }
 
-    std::size_t LazyGraph::addVertex(const ob::State *state)
+    std::size_t LazyGraph::addVertex(const ob::State *state, bool valid)
     {
         states_.append(state);
-        vertices_.push_back({{}, {}, 0.0, 0.0, NONE, false, false, false, false});
+        vertices_.push_back({{}, {}, 0.0, 0.0, NONE, false, false, false, valid ? Validity::Valid : Validity::Unknown});
         return vertices_.size() - 1;
     }
 
     void LazyGraph::setStart(std::size_t vertex)
     {
-        vertices_[vertex].start = true;
         starts_.push_back(vertex);
     }
 
@@ -123,7 +122,7 @@ namespace ompl_mfa
                     continue;
                 const double cost = combine(edge.cost, entry.key);
                 Vertex &vertex = vertices_[edge.from];
-                if ((vertex.reaches && !better(cost, vertex.costToGo)) || !canBeat(cost, bound))
+                if (vertex.validity == Validity::Invalid || (vertex.reaches && !better(cost, vertex.costToGo)) || !canBeat(cost, bound))
                     continue;
                 vertex.reaches = true;
                 vertex.costToGo = cost;
@@ -133,13 +132,22 @@ namespace ompl_mfa
         evaluator_.addWork(1 + handled / EDGES_PER_WORK);
     }
 
+    /* Checks the state at the end of a motion first: an invalid one rules out all motions to it at once. */
+    bool LazyGraph::checkEdge(const Edge &edge)
+    {
+        Vertex &to = vertices_[edge.to];
+        if (to.validity == Validity::Unknown)
+            to.validity = evaluator_.checkState(states_[edge.to]) ? Validity::Valid : Validity::Invalid;
+        return to.validity == Validity::Valid && evaluator_.checkMotion(states_[edge.from], states_[edge.to]);
+    }
+
     void LazyGraph::expand(std::size_t v, double bound)
     {
         for (const std::size_t e : vertices_[v].out)
         {
             const Edge &edge = edges_[e];
             const Vertex &to = vertices_[edge.to];
-            if (to.reached || !to.reaches || checks_[edge.check] == Validity::Invalid)
+            if (to.reached || !to.reaches || to.validity == Validity::Invalid || checks_[edge.check] == Validity::Invalid)
                 continue;
             const double key = combine(combine(vertices_[v].costToCome, edge.cost), to.costToGo);
             if (canBeat(key, bound))
@@ -168,14 +176,14 @@ namespace ompl_mfa
             const Edge &edge = edges_[e];
             if (++handled % EDGES_PER_WORK == 0)
                 evaluator_.addWork(1);
-            if (vertices_[edge.to].reached)
+            if (vertices_[edge.to].reached || vertices_[edge.to].validity == Validity::Invalid)
                 continue;
             Validity &validity = checks_[edge.check];
             if (validity == Validity::Unknown)
             {
                 if (evaluator_.work() >= limit)
                     return Outcome::Stopped;
-                const bool valid = evaluator_.checkMotion(states_[edge.from], states_[edge.to]);
+                const bool valid = checkEdge(edge);
                 if (evaluator_.interrupted())
                     return Outcome::Stopped;
                 validity = valid ? Validity::Valid : Validity::Invalid;

@@ -45,7 +45,7 @@ namespace ompl_mfa
                                                objective->motionCostHeuristic(state, goal)),
                        ob::Cost(bound));
         };
-        std::vector<std::size_t> layer{graph_.addVertex(start)};
+        std::vector<std::size_t> layer{graph_.addVertex(start, true)};
         graph_.setStart(layer.front());
         std::vector<std::size_t> next;
         const auto join = [&]
@@ -63,12 +63,12 @@ namespace ompl_mfa
             next.clear();
             for (std::size_t i = 0; i < candidates.size(); ++i)
             {
-                if (canHelp(candidates[i]) && evaluator_.checkState(candidates[i]))
-                    next.push_back(graph_.addVertex(candidates[i]));
+                if (canHelp(candidates[i]))
+                    next.push_back(graph_.addVertex(candidates[i], false));
             }
             join();
         }
-        next.assign(1, graph_.addVertex(goal));
+        next.assign(1, graph_.addVertex(goal, true));
         graph_.setGoal(next.front());
         join();
         return graph_.search(bound, work, path);

@@ -9,8 +9,8 @@
 
 namespace ompl_mfa
 {
-    /** \brief A directed graph of valid states whose motions are checked for collision only when a search comes to need
-        them, and never twice.
+    /** \brief A directed graph of states, whose states and motions are checked for collision only when a search comes to
+        need them, and never twice.
 
         A search for a path better than a bound makes one backward pass that ignores unchecked collisions, which gives
         an exact cost-to-go of what is known, and then goes forward best first; a motion is checked when it is the most
@@ -23,8 +23,8 @@ namespace ompl_mfa
         /** \brief Removes all vertices and edges; memory is kept. */
         void clear();
 
-        /** \brief Adds a copy of the valid \e state and returns its number: 0, 1, ... */
-        std::size_t addVertex(const ompl::base::State *state);
+        /** \brief Adds a copy of \e state, not yet checked unless \e valid, and returns its number: 0, 1, ... */
+        std::size_t addVertex(const ompl::base::State *state, bool valid);
 
         void setStart(std::size_t vertex);
         void setGoal(std::size_t vertex);
@@ -80,8 +80,8 @@ namespace ompl_mfa
             std::size_t parent;  ///< edge
             bool reached;
             bool reaches;  ///< whether costToGo is known
-            bool start;
             bool goal;
+            Validity validity;
         };
 
         struct QueueEntry
@@ -105,6 +105,7 @@ namespace ompl_mfa
         QueueEntry pop(std::vector<QueueEntry> &queue) const;
         void backward(double bound);
         Outcome forward(double bound, std::uint64_t limit, std::size_t &goal);
+        bool checkEdge(const Edge &edge);
         void expand(std::size_t vertex, double bound);
         void extract(std::size_t goal, Waypoints &path) const;
 
