@@ -18,7 +18,8 @@ namespace ompl_mfa
     }  // namespace
 
     LazyGraph::LazyGraph(PathEvaluator &evaluator)
-      : evaluator_(evaluator), states_(evaluator.spaceInformation()->getStateSpace())
+      : evaluator_(evaluator)
+      , states_(evaluator.spaceInformation()->getStateSpace())
     {
     }
 
@@ -122,7 +123,8 @@ namespace ompl_mfa
                     continue;
                 const double cost = combine(edge.cost, entry.key);
                 Vertex &vertex = vertices_[edge.from];
-                if (vertex.validity == Validity::Invalid || (vertex.reaches && !better(cost, vertex.costToGo)) || !canBeat(cost, bound))
+                if (vertex.validity == Validity::Invalid || (vertex.reaches && !better(cost, vertex.costToGo)) ||
+                    !canBeat(cost, bound))
                     continue;
                 vertex.reaches = true;
                 vertex.costToGo = cost;
@@ -147,7 +149,8 @@ namespace ompl_mfa
         {
             const Edge &edge = edges_[e];
             const Vertex &to = vertices_[edge.to];
-            if (to.reached || !to.reaches || to.validity == Validity::Invalid || checks_[edge.check] == Validity::Invalid)
+            if (to.reached || !to.reaches || to.validity == Validity::Invalid ||
+                checks_[edge.check] == Validity::Invalid)
                 continue;
             const double key = combine(combine(vertices_[v].costToCome, edge.cost), to.costToGo);
             if (canBeat(key, bound))

@@ -40,10 +40,9 @@ namespace ompl_mfa
         const auto canHelp = [&](const ob::State *state)
         {
             return std::isinf(bound) ||
-                   objective->isCostBetterThan(
-                       objective->combineCosts(objective->motionCostHeuristic(start, state),
-                                               objective->motionCostHeuristic(state, goal)),
-                       ob::Cost(bound));
+                   objective->isCostBetterThan(objective->combineCosts(objective->motionCostHeuristic(start, state),
+                                                                       objective->motionCostHeuristic(state, goal)),
+                                               ob::Cost(bound));
         };
         std::vector<std::size_t> layer{graph_.addVertex(start, true)};
         graph_.setStart(layer.front());

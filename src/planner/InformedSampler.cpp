@@ -67,21 +67,19 @@ namespace ompl_mfa
     {
         if (std::isinf(bound))
             return true;
-        return objective_->isCostBetterThan(
-            objective_->combineCosts(objective_->motionCostHeuristic(start, state),
-                                     objective_->motionCostHeuristic(state, goal)),
-            ob::Cost(bound));
+        return objective_->isCostBetterThan(objective_->combineCosts(objective_->motionCostHeuristic(start, state),
+                                                                     objective_->motionCostHeuristic(state, goal)),
+                                            ob::Cost(bound));
     }
 
-    bool InformedSampler::samplePositions(const ob::State *start, const ob::State *goal, double bound,
-                                          ob::State *state)
+    bool InformedSampler::samplePositions(const ob::State *start, const ob::State *goal, double bound, ob::State *state)
     {
         chart_->positions(start, focus1_);
         chart_->positions(goal, focus2_);
         if (!hyperspheroid_ || focus1_ != hyperspheroidFocus1_ || focus2_ != hyperspheroidFocus2_)
         {
-            hyperspheroid_ = std::make_shared<ompl::ProlateHyperspheroid>(
-                static_cast<unsigned int>(focus1_.size()), focus1_.data(), focus2_.data());
+            hyperspheroid_ = std::make_shared<ompl::ProlateHyperspheroid>(static_cast<unsigned int>(focus1_.size()),
+                                                                          focus1_.data(), focus2_.data());
             hyperspheroidFocus1_ = focus1_;
             hyperspheroidFocus2_ = focus2_;
         }

@@ -15,7 +15,8 @@ namespace ompl_mfa
 {
     namespace
     {
-        /* A raw path of the roadmap may be this much worse than the best tightened one and still be worth tightening. */
+        /* A raw path of the roadmap may be this much worse than the best tightened one and still be worth tightening.
+         */
         constexpr double SLACK = 1.15;
         /* Search of the nearest neighbours, in state checks for each of them. */
         constexpr std::uint64_t NEIGHBOUR_WORK = 4;

@@ -9,8 +9,8 @@
 
 namespace ompl_mfa
 {
-    /** \brief A directed graph of states, whose states and motions are checked for collision only when a search comes to
-        need them, and never twice.
+    /** \brief A directed graph of states, whose states and motions are checked for collision only when a search comes
+       to need them, and never twice.
 
         A search for a path better than a bound makes one backward pass that ignores unchecked collisions, which gives
         an exact cost-to-go of what is known, and then goes forward best first; a motion is checked when it is the most
@@ -29,8 +29,8 @@ namespace ompl_mfa
         void setStart(std::size_t vertex);
         void setGoal(std::size_t vertex);
 
-        /** \brief Adds the motion \e from -> \e to, not yet checked. With \e bothWays also the reverse, which is taken to
-            have the same cost and validity. */
+        /** \brief Adds the motion \e from -> \e to, not yet checked. With \e bothWays also the reverse, which is taken
+           to have the same cost and validity. */
         void addEdge(std::size_t from, std::size_t to, bool bothWays);
 
         std::size_t size() const
@@ -44,8 +44,8 @@ namespace ompl_mfa
         }
 
         /** \brief Finds the best path from a start to a goal if it is better than \e bound (infinite: any). Stops after
-            about \e work units of PathEvaluator::work(), or when the evaluator is interrupted; what was checked is kept.
-            Returns true with the path in \e path. */
+            about \e work units of PathEvaluator::work(), or when the evaluator is interrupted; what was checked is
+           kept. Returns true with the path in \e path. */
         bool search(double bound, std::uint64_t work, Waypoints &path);
 
         /** \brief Whether the last search ended because no better path is left in the graph. */

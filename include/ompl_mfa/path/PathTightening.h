@@ -14,8 +14,8 @@
 
 namespace ompl_mfa
 {
-    /** \brief Local refinement of a valid path, for any objective: shortcuts, removal of vertices, pulling a vertex toward
-        the chord of its neighbours, random steps of a vertex, cutting of corners.
+    /** \brief Local refinement of a valid path, for any objective: shortcuts, removal of vertices, pulling a vertex
+       toward the chord of its neighbours, random steps of a vertex, cutting of corners.
 
         Each step replaces a few consecutive motions by others of better combined cost; cost is asked first, validity
         only for what would win. Every motion of the resulting path was checked as it stands there. Steps of vertices
@@ -32,8 +32,8 @@ namespace ompl_mfa
         /** \brief Takes up a copy of \e path, whose motions are all valid. */
         void begin(const Waypoints &path);
 
-        /** \brief Refines for about \e work units of PathEvaluator::work(), or until converged() or interrupted. Returns
-            whether the path changed. */
+        /** \brief Refines for about \e work units of PathEvaluator::work(), or until converged() or interrupted.
+           Returns whether the path changed. */
         bool advance(std::uint64_t work);
 
         const Waypoints &path() const

@@ -6,8 +6,8 @@
 
 namespace ompl_mfa
 {
-    /** \brief Shares work between parts that take turns: each has a share, which grows with what the part gained for its
-        work of late and never falls below a floor. */
+    /** \brief Shares work between parts that take turns: each has a share, which grows with what the part gained for
+       its work of late and never falls below a floor. */
     class TurnSharing
     {
     public:
@@ -19,7 +19,8 @@ namespace ompl_mfa
             that has worked least for its share. */
         std::size_t next(const std::vector<bool> &available);
 
-        /** \brief Records a turn of \e part: its \e work and its \e gain, in any unit that is the same for all parts. */
+        /** \brief Records a turn of \e part: its \e work and its \e gain, in any unit that is the same for all parts.
+         */
         void record(std::size_t part, double work, double gain);
 
         /** \brief The part of all shares that \e part has now, in (0, 1]. */
