@@ -158,6 +158,20 @@ namespace ompl_mfa
             if (!isSet)
                 failAt(entry, "not accepted by planner '" + spec.type + "'" + accepted);
         }
+
+        void requireFitting(const ob::StateSpace &space, const PlannerEntry &entry, const PlannerSpec &spec)
+        {
+            const auto refuse = [&spec, &space](const std::string &reason) {
+                failAt(spec.origin,
+                       "planner '" + spec.type + "' does not work in the space '" + space.getName() + "': " + reason);
+            };
+            if (entry.needsProjection && !space.hasDefaultProjection())
+                refuse("it needs a projection, and the space has no default one");
+            if (entry.needsSymmetry && !(space.hasSymmetricDistance() && space.hasSymmetricInterpolate()))
+                refuse("it takes motions backwards, and the space's are not the same both ways");
+            if (entry.needsMetric && !space.isMetricSpace())
+                refuse("it needs the triangle inequality");
+        }
     }  // namespace
 
     std::vector<std::string> plannerNames()
@@ -198,9 +212,7 @@ namespace ompl_mfa
     {
         requireKnownPlanner(spec.type, spec.origin);
         const PlannerEntry &entry = plannerTable().at(spec.type);
-        if (entry.needsProjection && !si->getStateSpace()->hasDefaultProjection())
-            failAt(spec.origin, "planner '" + spec.type + "' needs a projection, and the state space '" +
-                                    si->getStateSpace()->getName() + "' has no default one");
+        requireFitting(*si->getStateSpace(), entry, spec);
         ob::PlannerPtr planner;
         try
         {

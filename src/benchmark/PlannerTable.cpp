@@ -92,14 +92,6 @@ namespace ompl_mfa
                     [](const ob::SpaceInformationPtr &si) -> ob::PlannerPtr { return std::make_shared<Planner>(si); }};
         }
 
-        template <typename Planner>
-        PlannerEntry projectionEntry(const std::string &title)
-        {
-            PlannerEntry made = entry<Planner>(title);
-            made.needsProjection = true;
-            return made;
-        }
-
         /* Multi-level planners take a sequence of spaces; a config describes one, the sequence of length 1. */
         template <typename Planner>
         PlannerEntry singleLevelEntry(const std::string &title)
@@ -151,13 +143,13 @@ namespace ompl_mfa
             table["birlrt"] = entry<og::BiRLRT>("BiRLRT");
             table["est"] = entry<og::EST>("EST");
             table["biest"] = entry<og::BiEST>("BiEST");
-            table["projest"] = projectionEntry<og::ProjEST>("ProjEST");
-            table["sbl"] = projectionEntry<og::SBL>("SBL");
-            table["psbl"] = projectionEntry<og::pSBL>("pSBL");
-            table["kpiece"] = projectionEntry<og::KPIECE1>("KPIECE1");
-            table["bkpiece"] = projectionEntry<og::BKPIECE1>("BKPIECE1");
-            table["lbkpiece"] = projectionEntry<og::LBKPIECE1>("LBKPIECE1");
-            table["pdst"] = projectionEntry<og::PDST>("PDST");
+            table["projest"] = entry<og::ProjEST>("ProjEST");
+            table["sbl"] = entry<og::SBL>("SBL");
+            table["psbl"] = entry<og::pSBL>("pSBL");
+            table["kpiece"] = entry<og::KPIECE1>("KPIECE1");
+            table["bkpiece"] = entry<og::BKPIECE1>("BKPIECE1");
+            table["lbkpiece"] = entry<og::LBKPIECE1>("LBKPIECE1");
+            table["pdst"] = entry<og::PDST>("PDST");
             table["stride"] = entry<og::STRIDE>("STRIDE");
             table["sst"] = entry<og::SST>("SST");
         }
@@ -183,8 +175,9 @@ namespace ompl_mfa
             table["rrtxstatic"] = entry<og::RRTXstatic>("RRTXstatic");
             table["lbtrrt"] = entry<og::LBTRRT>("LBTRRT");
             table["lazylbtrrt"] = entry<og::LazyLBTRRT>("LazyLBTRRT");
-            table["bitstar"] = entry<og::BITstar>("BITstar");
-            table["abitstar"] = entry<og::ABITstar>("ABITstar");
+            // OMPL renames a BIT* that uses k nearest neighbours, as it does by default, to these names
+            table["bitstar"] = entry<og::BITstar>("kBITstar");
+            table["abitstar"] = entry<og::ABITstar>("kABITstar");
             table["aitstar"] = entry<og::AITstar>("AITstar");
             table["anytimepathshortening"] = entry<og::AnytimePathShortening>("AnytimePathShortening");
             table["aps"] = table["anytimepathshortening"];
@@ -225,6 +218,17 @@ namespace ompl_mfa
 #endif
         }
 
+        void markRequirements(std::map<std::string, PlannerEntry> &table)
+        {
+            for (const char *name : {"kpiece", "bkpiece", "lbkpiece", "projest", "sbl", "psbl", "pdst"})
+                table.at(name).needsProjection = true;
+            for (const char *name : {"biest", "birlrt", "bkpiece", "lbkpiece", "sbl", "psbl", "prm", "prmstar", "spars",
+                                     "spars2", "rrtxstatic"})
+                table.at(name).needsSymmetry = true;
+            for (const char *name : {"lbtrrt", "lazylbtrrt"})
+                table.at(name).needsMetric = true;
+        }
+
         std::map<std::string, PlannerEntry> makeTable()
         {
             std::map<std::string, PlannerEntry> table;
@@ -233,6 +237,7 @@ namespace ompl_mfa
             addRoadmapPlanners(table);
             addOptimizingPlanners(table);
             addNewerPlanners(table);
+            markRequirements(table);
             return table;
         }
     }  // namespace

@@ -228,6 +228,7 @@ namespace ompl_mfa
         const Context context = sortContext(overridden(problem.context, plannerContext));
         const ob::RealVectorBounds bounds = boundsOf(config_, *world_);
         const ob::StateSpacePtr space = makeStateSpace(problem, bounds);
+        space->setName(spaceName(problem.space));
         for (const auto &entry : context.space)
             setContextValue(space->params(), entry, "the state space");
 
@@ -241,6 +242,7 @@ namespace ompl_mfa
         for (const auto &entry : context.projection)
             setContextValue(space->params(), entry, "the state space");
         setSampler(si, context);
+        si->setup();
 
         const ob::ScopedState<> start = makeState(space, problem.space, problem.start);
         const ob::ScopedState<> goal = makeState(space, problem.space, problem.goal);

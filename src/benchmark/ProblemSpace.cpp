@@ -1,11 +1,8 @@
 #include "ompl_mfa/benchmark/ProblemSpace.h"
 
-#include <cmath>
 #include <numeric>
 #include <sstream>
 #include <vector>
-
-#include <boost/math/constants/constants.hpp>
 
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateProjections.h>
@@ -27,26 +24,33 @@ namespace ompl_mfa
             return space;
         }
 
-        /* All coordinates as they are. OMPL's own choices are an identity that aborts in 1.5.2 (its vector is taken to
-           be as long as its size in bytes) and, above two dimensions, random directions. */
-        void registerIdentityProjection(const ob::StateSpacePtr &space)
+        /* R^n that is projected to all of its coordinates. OMPL's own choices are an identity that aborts in 1.5.2 (it
+           takes the size in bytes for the dimension) and, above two dimensions, random directions. */
+        class PositionSpace : public ob::RealVectorStateSpace
         {
-            std::vector<unsigned int> components(space->getDimension());
-            std::iota(components.begin(), components.end(), 0U);
-            space->registerDefaultProjection(
-                std::make_shared<ob::RealVectorOrthogonalProjectionEvaluator>(space, components));
-        }
+        public:
+            using RealVectorStateSpace::RealVectorStateSpace;
 
-        /* OMPL wants angles in [-pi, pi] and aborts on others. */
-        double normalisedAngle(double angle)
-        {
-            return std::remainder(angle, boost::math::constants::two_pi<double>());
-        }
+            void registerProjections() override
+            {
+                std::vector<unsigned int> components(getDimension());
+                std::iota(components.begin(), components.end(), 0U);
+                registerDefaultProjection(
+                    std::make_shared<ob::RealVectorOrthogonalProjectionEvaluator>(this, components));
+            }
+        };
     }  // namespace
 
     unsigned int positionDimension(StateSpaceKind kind)
     {
         return kind == StateSpaceKind::R3 || kind == StateSpaceKind::SE3 ? 3 : 2;
+    }
+
+    std::string spaceName(StateSpaceKind kind)
+    {
+        static const char *const NAMES[] = {"R^2",        "R^3", "SE(2)", "SE(3)", "Dubins", "symmetric Dubins",
+                                            "Reeds-Shepp"};
+        return NAMES[static_cast<std::size_t>(kind)];
     }
 
     ob::StateSpacePtr makeStateSpace(const ProblemConfig &problem, const ob::RealVectorBounds &bounds)
@@ -57,9 +61,7 @@ namespace ompl_mfa
         {
             case StateSpaceKind::R2:
             case StateSpaceKind::R3:
-                space = bounded(std::make_shared<ob::RealVectorStateSpace>(positionDimension(problem.space)), bounds);
-                registerIdentityProjection(space);
-                return space;
+                return bounded(std::make_shared<PositionSpace>(positionDimension(problem.space)), bounds);
             case StateSpaceKind::DUBINS:
                 return bounded(std::make_shared<ob::DubinsStateSpace>(radius), bounds);
             case StateSpaceKind::DUBINS_SYMMETRIC:
@@ -86,9 +88,15 @@ namespace ompl_mfa
             *space->getValueAddressAtIndex(state.get(), i) = position[i];
         if (kind == StateSpaceKind::SE3)
             state->as<ob::SE3StateSpace::StateType>()->rotation().setAxisAngle(pose.axis[0], pose.axis[1], pose.axis[2],
-                                                                               normalisedAngle(pose.theta));
+                                                                               pose.theta);
         else if (kind != StateSpaceKind::R2 && kind != StateSpaceKind::R3)
-            state->as<ob::SE2StateSpace::StateType>()->setYaw(normalisedAngle(pose.theta));
+            state->as<ob::SE2StateSpace::StateType>()->setYaw(pose.theta);
+        if (space->isCompound())
+        {
+            // OMPL aborts on angles beyond pi and on quaternions that are not of unit length
+            auto *rotation = state->as<ob::CompoundState>()->components[1];
+            space->as<ob::CompoundStateSpace>()->getSubspace(1)->enforceBounds(rotation);
+        }
         return state;
     }
 

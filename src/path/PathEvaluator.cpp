@@ -30,32 +30,22 @@ namespace ompl_mfa
         partialPath_ = std::move(event);
     }
 
-    ob::Cost PathEvaluator::cost(const Waypoints &path)
+    ob::Cost PathEvaluator::cost(const Waypoints &path) const
     {
-        work_ += path.size();
         ob::Cost cost = objective_->initialCost(path.front());
         for (std::size_t i = 1; i < path.size(); ++i)
             cost = objective_->combineCosts(cost, objective_->motionCost(path[i - 1], path[i]));
         return objective_->combineCosts(cost, objective_->terminalCost(path.back()));
     }
 
-    bool PathEvaluator::stopped()
-    {
-        interrupted_ = interrupted_ || (stop_ && stop_());
-        return interrupted_;
-    }
-
-    bool PathEvaluator::checkState(const ob::State *state)
-    {
-        ++work_;
-        return si_->satisfiesBounds(state) && si_->isValid(state);
-    }
-
     bool PathEvaluator::checkMotion(const ob::State *from, const ob::State *to)
     {
-        if (stopped())
+        if (interrupted_ || (stop_ && stop_()))
+        {
+            interrupted_ = true;
             return false;
-        work_ += si_->getStateSpace()->validSegmentCount(from, to);
+        }
+        stateChecks_ += si_->getStateSpace()->validSegmentCount(from, to);
         return si_->checkMotion(from, to);
     }
 
@@ -108,7 +98,7 @@ namespace ompl_mfa
     {
         si_->copyState(scratch_, path[motion]);
         std::pair<ob::State *, double> lastValid(scratch_, 0.0);
-        work_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
+        stateChecks_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
         si_->checkMotion(path[motion], path[motion + 1], lastValid);
         partialPath_(path, motion, scratch_);
     }
@@ -124,7 +114,7 @@ namespace ompl_mfa
             if (!si_->isValid(scratch_))
                 ++invalid;
         }
-        work_ += count;
+        stateChecks_ += count;
         // a motion that only the motion validator finds invalid still counts
         return si_->distance(from, to) * std::max(1U, invalid) / count;
     }

@@ -32,12 +32,7 @@ namespace ompl_mfa
         // planner data point to states of the planner: these copies live until the next call
         plannerDataPaths_.clear();
         std::vector<bool> checked;
-        std::vector<const Swarm *> swarms;
         for (const auto &swarm : swarms_)
-            swarms.push_back(swarm.get());
-        if (curvedSwarm_)
-            swarms.push_back(curvedSwarm_.get());
-        for (const Swarm *swarm : swarms)
         {
             const FireflyOptimizer &fireflies = swarm->fireflies();
             for (const unsigned int i : fireflies.order())
@@ -60,9 +55,9 @@ namespace ompl_mfa
     {
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
         std::vector<og::PathGeometric> paths;
-        if (activeSwarm_ == nullptr)
+        if (swarms_.empty())
             return paths;
-        const Swarm &swarm = *activeSwarm_;
+        const Swarm &swarm = *swarms_[activeSwarm_];
         Waypoints waypoints(si_->getStateSpace());
         for (const unsigned int i : swarm.fireflies().order())
         {
@@ -78,9 +73,9 @@ namespace ompl_mfa
     {
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
         std::vector<og::PathGeometric> paths;
-        if (activeSwarm_ == nullptr)
+        if (swarms_.empty())
             return paths;
-        const SliceFrame &frame = activeSwarm_->frame();
+        const SliceFrame &frame = swarms_[activeSwarm_]->frame();
         Waypoints ends(si_->getStateSpace());
         ends.resize(2);
         for (std::size_t k = 0; k < frame.slices(); ++k)

@@ -16,6 +16,10 @@ namespace ompl_mfa
         ompl::base::PlannerAllocator allocate;
         /** \brief It throws in setup() when the state space has no default projection. */
         bool needsProjection{false};
+        /** \brief It takes a motion from B to A for one from A to B: its paths on Dubins curves fail their check. */
+        bool needsSymmetry{false};
+        /** \brief It relies on the triangle inequality: in other spaces it aborts or never returns. */
+        bool needsMetric{false};
         /** \brief Declared ranges are limits, not suggestions. */
         bool isOwn{false};
     };

@@ -14,6 +14,9 @@ namespace ompl_mfa
     /** \brief 2 or 3: the dimension of the positions in \e kind. */
     unsigned int positionDimension(StateSpaceKind kind);
 
+    /** \brief The name that people give to \e kind, such as `SE(2)`. */
+    std::string spaceName(StateSpaceKind kind);
+
     /** \brief The state space of \e problem with \e bounds for its positions. */
     ompl::base::StateSpacePtr makeStateSpace(const ProblemConfig &problem, const ompl::base::RealVectorBounds &bounds);
 
