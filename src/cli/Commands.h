@@ -12,8 +12,11 @@
 namespace ompl_mfa::cli
 {
     void addBenchmarkCommand(CLI::App &app);
+    void addCheckCommand(CLI::App &app);
     void addMergeCommand(CLI::App &app);
     void addOptimizeCommand(CLI::App &app);
+    void addPlanCommand(CLI::App &app);
+    void addPlannersCommand(CLI::App &app);
 }  // namespace ompl_mfa::cli
 
 #endif

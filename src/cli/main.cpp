@@ -91,8 +91,11 @@ namespace
         app.set_version_flag("--version", "ompl_mfa " OMPL_MFA_VERSION);
         app.require_subcommand(1);
         ompl_mfa::cli::addBenchmarkCommand(app);
+        ompl_mfa::cli::addCheckCommand(app);
         ompl_mfa::cli::addMergeCommand(app);
         ompl_mfa::cli::addOptimizeCommand(app);
+        ompl_mfa::cli::addPlanCommand(app);
+        ompl_mfa::cli::addPlannersCommand(app);
 
         static StandardErrorOutput output;
         ompl::msg::useOutputHandler(&output);

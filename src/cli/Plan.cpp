@@ -1,0 +1,325 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <boost/algorithm/string.hpp>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/Commands.h"
+#include "cli/ProblemPicture.h"
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/benchmark/MeasuredPlanner.h"
+#include "ompl_mfa/benchmark/PlannerFactory.h"
+#include "ompl_mfa/benchmark/ProblemFactory.h"
+#include "ompl_mfa/planner/MFA.h"
+
+namespace
+{
+    namespace ob = ompl::base;
+    namespace og = ompl::geometric;
+    using ompl_mfa::BenchmarkConfig;
+    using ompl_mfa::PlannerSpec;
+    using ompl_mfa::ProblemFactory;
+
+    struct Options
+    {
+        std::string file;
+        std::string planner{"mfa"};
+        double time{0.0};
+        std::uint32_t seed{0};
+        std::uint64_t iterations{0};
+        std::vector<std::string> parameters;
+        bool simplify{false};
+        std::string picture;
+        std::string path;
+        bool json{false};
+    };
+
+    /** \brief What a run of a planner came to. Costs and times are infinite where there is none. */
+    struct Result
+    {
+        std::string status;
+        bool exact{false};
+        bool valid{false};
+        double cost{std::numeric_limits<double>::infinity()};
+        double unsimplifiedCost{std::numeric_limits<double>::infinity()};
+        double length{std::numeric_limits<double>::infinity()};
+        double timeToFirstSolution{std::numeric_limits<double>::infinity()};
+        double time{0.0};
+        double simplificationTime{0.0};
+        std::size_t states{0};
+        std::string evaluations;
+        std::string iterations;
+        std::uint64_t checkedStates{0};
+        std::uint64_t checkedMotions{0};
+    };
+
+    /** \brief The instance of the config that has this name or else this type, or else a new one of this type. */
+    PlannerSpec findSpec(const BenchmarkConfig &config, const std::string &planner)
+    {
+        for (const auto &spec : config.planners)
+            if (spec.name == planner)
+                return spec;
+        const std::string type = boost::to_lower_copy(planner);
+        for (const auto &spec : config.planners)
+            if (spec.type == type)
+                return spec;
+        ompl_mfa::requireKnownPlanner(type, "--planner");
+        return {type, ompl_mfa::plannerTitle(type), "--planner", {}, {}};
+    }
+
+    void overrideParameter(PlannerSpec &spec, const std::string &text)
+    {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos)
+            throw ompl_mfa::InputError("--parameter " + text + ": expected NAME=VALUE");
+        const ompl_mfa::ConfigEntry entry{boost::trim_copy(text.substr(0, equals)),
+                                          boost::trim_copy(text.substr(equals + 1)), "--parameter"};
+        for (auto &parameter : spec.parameters)
+            if (boost::iequals(parameter.key, entry.key))
+            {
+                parameter = entry;
+                return;
+            }
+        spec.parameters.push_back(entry);
+    }
+
+    bool hasParameter(const PlannerSpec &spec, const std::string &name)
+    {
+        return std::any_of(spec.parameters.begin(), spec.parameters.end(),
+                           [&name](const auto &parameter) { return boost::iequals(parameter.key, name); });
+    }
+
+    double costOf(const og::SimpleSetup &setup)
+    {
+        const auto &objective = setup.getOptimizationObjective();
+        const og::PathGeometric &path = setup.getSolutionPath();
+        return objective ? path.cost(objective).value() : path.length();
+    }
+
+    std::string progressProperty(const ob::Planner &planner, const std::string &name)
+    {
+        const auto &properties = planner.getPlannerProgressProperties();
+        const auto found = properties.find(name);
+        return found == properties.end() ? "" : found->second();
+    }
+
+    /** \brief One planner on one problem. */
+    class PlanRun
+    {
+    public:
+        PlanRun(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options)
+          : options_(options)
+          , setup_(factory.create(spec.context))
+        {
+            const auto &si = setup_->getSpaceInformation();
+            planner_ = ompl_mfa::createPlanner(si, spec);
+            if (!hasParameter(spec, "seed"))
+                ompl_mfa::seedPlanner(*planner_, options.seed);
+            si->setStateValidityChecker(
+                std::make_shared<ompl_mfa::WatchedValidityChecker>(si, si->getStateValidityChecker(), state_));
+            measured_ = std::make_shared<ompl_mfa::MeasuredPlanner>(
+                planner_, state_,
+                ompl_mfa::MeasuredPlanner::Settings{options.time, PROGRESS_INTERVAL, options.iterations});
+            setup_->setPlanner(measured_);
+        }
+
+        Result solve()
+        {
+            Result result;
+            const ompl::time::point start = ompl::time::now();
+            const ob::PlannerStatus status = setup_->solve(options_.time);
+            result.time = ompl::time::seconds(ompl::time::now() - start);
+            result.status = status.asString();
+            result.exact = status == ob::PlannerStatus::EXACT_SOLUTION;
+            result.timeToFirstSolution = state_.firstSolution.load();
+            result.checkedStates = measured_->collisionChecks();
+            result.checkedMotions = measured_->motionChecks();
+            result.evaluations = progressProperty(*planner_, "evaluations INTEGER");
+            result.iterations = progressProperty(*planner_, "iterations INTEGER");
+            if (setup_->haveSolutionPath())
+                measurePath(result);
+            return result;
+        }
+
+        const og::SimpleSetup &setup() const
+        {
+            return *setup_;
+        }
+
+        const ob::Planner &planner() const
+        {
+            return *planner_;
+        }
+
+    private:
+        static constexpr double PROGRESS_INTERVAL = 0.01;
+
+        void measurePath(Result &result)
+        {
+            result.unsimplifiedCost = costOf(*setup_);
+            if (options_.simplify && result.exact)
+            {
+                const ompl::time::point start = ompl::time::now();
+                setup_->simplifySolution();
+                result.simplificationTime = ompl::time::seconds(ompl::time::now() - start);
+            }
+            const og::PathGeometric &path = setup_->getSolutionPath();
+            result.cost = costOf(*setup_);
+            result.length = path.length();
+            result.states = path.getStateCount();
+            result.valid = path.check();
+        }
+
+        const Options &options_;
+        ompl_mfa::RunState state_;
+        og::SimpleSetupPtr setup_;
+        ob::PlannerPtr planner_;
+        std::shared_ptr<ompl_mfa::MeasuredPlanner> measured_;
+    };
+
+    void writePath(const og::PathGeometric &path, const std::string &file)
+    {
+        std::ofstream out(file);
+        out << std::setprecision(std::numeric_limits<double>::max_digits10);
+        path.printAsMatrix(out);
+        out.close();
+        if (!out)
+            throw ompl_mfa::InputError("--path " + file + ": cannot be written");
+    }
+
+    void draw(const ProblemFactory &factory, const PlanRun &run, const Result &result, const Options &options)
+    {
+        ompl_mfa::cli::PictureContent content;
+        content.title = factory.config().problem.name + ", " + run.planner().getName();
+        if (const auto *mfa = dynamic_cast<const ompl_mfa::MFA *>(&run.planner()))
+        {
+            content.swarm = mfa->getSwarmPaths();
+            content.slices = mfa->getSlicePaths();
+        }
+        if (run.setup().haveSolutionPath())
+        {
+            content.best.push_back(run.setup().getSolutionPath());
+            std::ostringstream cost;
+            cost << std::setprecision(5) << ", cost " << result.cost << (result.exact ? "" : " (approximate)");
+            content.title += cost.str();
+        }
+        ompl_mfa::cli::drawProblem(factory, run.setup(), content, options.picture);
+    }
+
+    /* JSON has no infinity: a value that does not exist is null. */
+    nlohmann::json finite(double value)
+    {
+        return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+    }
+
+    nlohmann::json count(const std::string &text)
+    {
+        return text.empty() ? nlohmann::json() : nlohmann::json(std::stoull(text));
+    }
+
+    void printJson(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options, const Result &result)
+    {
+        const nlohmann::json document = {{"problem", factory.config().problem.name},
+                                         {"planner", spec.type},
+                                         {"name", spec.name},
+                                         {"seed", options.seed},
+                                         {"status", result.status},
+                                         {"cost", finite(result.cost)},
+                                         {"unsimplified_cost", finite(result.unsimplifiedCost)},
+                                         {"length", finite(result.length)},
+                                         {"valid", result.valid},
+                                         {"time_to_first_solution", finite(result.timeToFirstSolution)},
+                                         {"time", result.time},
+                                         {"simplification_time", result.simplificationTime},
+                                         {"states", result.states},
+                                         {"evaluations", count(result.evaluations)},
+                                         {"iterations", count(result.iterations)},
+                                         {"checked_states", result.checkedStates},
+                                         {"checked_motions", result.checkedMotions}};
+        std::cout << document.dump(2) << std::endl;
+    }
+
+    void printText(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options, const Result &result)
+    {
+        const auto orNone = [](double value, const std::string &unit)
+        {
+            std::ostringstream out;
+            out << std::setprecision(7) << value << unit;
+            return std::isfinite(value) ? out.str() : std::string("none");
+        };
+        std::cout << "problem                  " << factory.config().problem.name << "\n"
+                  << "planner                  " << spec.name << ", seed " << options.seed << "\n"
+                  << "status                   " << result.status << "\n"
+                  << "cost                     " << orNone(result.cost, "");
+        if (options.simplify)
+            std::cout << " (" << orNone(result.unsimplifiedCost, "") << " before simplification)";
+        std::cout << "\ntime to first solution   " << orNone(result.timeToFirstSolution, " s") << "\n"
+                  << "time                     " << orNone(result.time, " s") << "\n"
+                  << "states                   " << result.states << "\n"
+                  << "evaluations              " << (result.evaluations.empty() ? "not counted" : result.evaluations)
+                  << "\nchecked states, motions  " << result.checkedStates << ", " << result.checkedMotions
+                  << std::endl;
+    }
+
+    void plan(Options options, bool timeGiven, bool seedGiven)
+    {
+        const ProblemFactory factory(ompl_mfa::readBenchmarkConfig(options.file));
+        const ompl_mfa::CampaignConfig &benchmark = factory.config().benchmark;
+        if (!seedGiven)
+            options.seed = static_cast<std::uint32_t>(benchmark.seed);
+        if (!timeGiven)
+            options.time = benchmark.timeLimit;
+        PlannerSpec spec = findSpec(factory.config(), options.planner);
+        for (const auto &parameter : options.parameters)
+            overrideParameter(spec, parameter);
+
+        ompl_mfa::setRandomSeed(options.seed);
+        PlanRun run(factory, spec, options);
+        const Result result = run.solve();
+        if (!options.path.empty() && run.setup().haveSolutionPath())
+            writePath(run.setup().getSolutionPath(), options.path);
+        if (!options.picture.empty())
+            draw(factory, run, result, options);
+        if (options.json)
+            printJson(factory, spec, options, result);
+        else
+            printText(factory, spec, options, result);
+        if (!result.exact)
+            throw CLI::RuntimeError(1);
+    }
+}  // namespace
+
+void ompl_mfa::cli::addPlanCommand(CLI::App &app)
+{
+    const auto options = std::make_shared<Options>();
+    auto *command = app.add_subcommand("plan", "Solve the problem of a benchmark config once");
+    command->add_option("FILE", options->file, "A .cfg file")->required();
+    command
+        ->add_option("--planner", options->planner,
+                     "Name or type of a planner of the config, which keeps its parameters there, or any other type")
+        ->capture_default_str();
+    auto *time = command->add_option("--time", options->time, "Seconds; the config's time_limit if not given")
+                     ->check(CLI::PositiveNumber);
+    auto *seed = command->add_option("--seed", options->seed, "The config's seed if not given")
+                     ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
+    command->add_option("--iterations", options->iterations,
+                        "Stop when the planner has asked this often whether to stop; a run that ends so repeats "
+                        "exactly");
+    command->add_option("--parameter", options->parameters, "NAME=VALUE of the planner, overriding the config");
+    command->add_flag("--simplify", options->simplify, "Simplify the path as OMPL's SimpleSetup does");
+    command->add_option("--picture", options->picture, "Write an SVG picture of world and paths to this file");
+    command->add_option("--path", options->path, "Write the path to this file, a state a line");
+    command->add_flag("--json", options->json, "Print one JSON document");
+    command->callback([options, time, seed] { plan(*options, time->count() > 0, seed->count() > 0); });
+}

@@ -1,0 +1,207 @@
+#include "cli/ProblemPicture.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+
+#include "cli/SvgFigure.h"
+#include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "ompl_mfa/collision/PlanarOutline.h"
+#include "ompl_mfa/collision/StatePlacement.h"
+
+namespace ompl_mfa::cli
+{
+    namespace
+    {
+        namespace ob = ompl::base;
+        namespace og = ompl::geometric;
+
+        constexpr unsigned int ROBOT_POSES = 14;
+        const SvgStyle OBSTACLE{"#5b6670", 0.6, "#aeb8c0", 1.0};
+        const SvgStyle OBSTACLE_SEEN_THROUGH{"#5b6670", 0.5, "#aeb8c0", 0.35};
+        const SvgStyle SLICE{"#9db8d2", 0.7, "none", 0.9};
+        const SvgStyle SWARM{"#e39a3b", 0.8, "none", 0.3};
+        const SvgStyle ROBOT{"#1f5fa8", 0.7, "#4f8fd0", 0.22};
+        const SvgStyle BEST{"#0b3c78", 2.4, "none", 1.0};
+        const SvgStyle START{"#12632b", 1.4, "#49b266", 0.55};
+        const SvgStyle GOAL{"#8c1d18", 1.4, "#e0605a", 0.55};
+
+        /* A direction of sight: the world is turned so that its picture lies in x and y. */
+        struct View
+        {
+            fcl::Transform3d turned;
+            double zMin;
+            double zMax;
+            unsigned int horizontal;
+            unsigned int vertical;
+            bool seenThrough;
+        };
+
+        View planarView(const ProblemFactory &problem)
+        {
+            View view{fcl::Transform3d::Identity(),
+                      std::numeric_limits<double>::infinity(),
+                      -std::numeric_limits<double>::infinity(),
+                      0,
+                      1,
+                      false};
+            for (const auto &shape : problem.robot().shapes())
+            {
+                const fcl::AABBd box = collision::boundingBox(*shape.geometry, shape.pose);
+                view.zMin = std::min(view.zMin, box.min_[2]);
+                view.zMax = std::max(view.zMax, box.max_[2]);
+            }
+            return view;
+        }
+
+        View spatialView(unsigned int vertical)
+        {
+            constexpr double FAR = std::numeric_limits<double>::max();
+            View view{fcl::Transform3d::Identity(), -FAR, FAR, 0, vertical, true};
+            if (vertical == 2)
+                view.turned.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+            return view;
+        }
+
+        /* Draws one view; coordinates are taken from the turned world. */
+        class ViewPainter
+        {
+        public:
+            ViewPainter(const ProblemFactory &problem, const og::SimpleSetup &setup, const View &view,
+                        const std::string &title)
+              : problem_(problem)
+              , setup_(setup)
+              , placement_(setup.getStateSpace())
+              , view_(view)
+              , axes_(makeAxes(title))
+            {
+                axes_.setEqualAspect();
+            }
+
+            const SvgAxes &paint(const PictureContent &content)
+            {
+                for (const auto &object : problem_.world().objects())
+                    addOutlines(object, view_.turned, view_.seenThrough ? OBSTACLE_SEEN_THROUGH : OBSTACLE);
+                addSlices(content.slices);
+                for (const auto &path : content.swarm)
+                    axes_.addPolyline(positions(path), SWARM,
+                                      &path == &content.swarm.front() ? "the swarm's paths" : "");
+                for (const auto &path : content.best)
+                    addBest(path);
+                addRobot(setup_.getProblemDefinition()->getStartState(0), START);
+                addGoal();
+                return axes_;
+            }
+
+        private:
+            SvgAxes makeAxes(const std::string &title) const
+            {
+                const ob::RealVectorBounds bounds = positionBounds();
+                const Eigen::Vector2d lower(bounds.low[view_.horizontal], bounds.low[view_.vertical]);
+                const Eigen::Vector2d upper(bounds.high[view_.horizontal], bounds.high[view_.vertical]);
+                return SvgAxes(title, std::string(1, "xyz"[view_.horizontal]), std::string(1, "xyz"[view_.vertical]),
+                               lower, upper);
+            }
+
+            ob::RealVectorBounds positionBounds() const
+            {
+                const ob::StateSpace *space = setup_.getStateSpace().get();
+                if (const auto *planar = dynamic_cast<const ob::SE2StateSpace *>(space))
+                    return planar->getBounds();
+                if (const auto *spatial = dynamic_cast<const ob::SE3StateSpace *>(space))
+                    return spatial->getBounds();
+                return space->as<ob::RealVectorStateSpace>()->getBounds();
+            }
+
+            fcl::Transform3d pose(const ob::State *state) const
+            {
+                fcl::Transform3d placed;
+                placement_.place(state, 0, placed);
+                return view_.turned * placed;
+            }
+
+            SvgAxes::Points positions(og::PathGeometric path) const
+            {
+                if (!placement_.interpolatesStraight())
+                    path.interpolate();
+                SvgAxes::Points points;
+                for (const auto *state : path.getStates())
+                    points.emplace_back(pose(state).translation().head<2>());
+                return points;
+            }
+
+            void addOutlines(collision::CollisionObject object, const fcl::Transform3d &turned, const SvgStyle &style)
+            {
+                object.pose = turned * object.pose;
+                for (const auto &polygon : collision::planarOutline(object, view_.zMin, view_.zMax))
+                    axes_.addPolygon(polygon, style);
+            }
+
+            void addRobot(const ob::State *state, const SvgStyle &style)
+            {
+                const fcl::Transform3d placed = pose(state);
+                for (const auto &shape : problem_.robot().shapes())
+                    addOutlines({"robot", shape.geometry, shape.pose}, placed, style);
+                axes_.addMarkers({placed.translation().head<2>()}, 3.0, {style.stroke, 1.0, style.stroke, 1.0});
+            }
+
+            void addGoal()
+            {
+                const auto *goal = dynamic_cast<const ob::GoalState *>(setup_.getGoal().get());
+                if (goal)
+                    addRobot(goal->getState(), GOAL);
+            }
+
+            void addSlices(const std::vector<og::PathGeometric> &slices)
+            {
+                SvgAxes::Segments segments;
+                for (const auto &slice : slices)
+                {
+                    const Eigen::Vector2d from = pose(slice.getState(0)).translation().head<2>();
+                    const Eigen::Vector2d to = pose(slice.getState(1)).translation().head<2>();
+                    if (!from.isApprox(to))
+                        segments.emplace_back(from, to);
+                }
+                if (!segments.empty())
+                    axes_.addSegments(segments, SLICE, "slices");
+            }
+
+            void addBest(const og::PathGeometric &path)
+            {
+                og::PathGeometric spaced = path;
+                spaced.interpolate(ROBOT_POSES);
+                for (const auto *state : spaced.getStates())
+                {
+                    const fcl::Transform3d placed = pose(state);
+                    for (const auto &shape : problem_.robot().shapes())
+                        addOutlines({"robot", shape.geometry, shape.pose}, placed, ROBOT);
+                }
+                axes_.addPolyline(positions(path), BEST, "best path");
+            }
+
+            const ProblemFactory &problem_;
+            const og::SimpleSetup &setup_;
+            collision::StatePlacement placement_;
+            View view_;
+            SvgAxes axes_;
+        };
+    }  // namespace
+
+    void drawProblem(const ProblemFactory &problem, const og::SimpleSetup &setup, const PictureContent &content,
+                     const std::string &file)
+    {
+        SvgFigure figure;
+        if (positionDimension(problem.config().problem.space) == 2)
+            figure.addAxes(ViewPainter(problem, setup, planarView(problem), content.title).paint(content));
+        else
+        {
+            figure.addAxes(ViewPainter(problem, setup, spatialView(1), content.title + ", from above").paint(content));
+            figure.addAxes(
+                ViewPainter(problem, setup, spatialView(2), content.title + ", from the side").paint(content));
+        }
+        figure.write(file);
+    }
+}  // namespace ompl_mfa::cli
