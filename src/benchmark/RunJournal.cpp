@@ -1,13 +1,16 @@
 #include "ompl_mfa/benchmark/RunJournal.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -42,6 +45,29 @@ namespace ompl_mfa
             }
         }
 
+        /* Opens a journal for appending. The runs of a campaign that was just killed hold its lock until they are dead
+           too, so it is asked for more than once. */
+        int lockJournal(const std::filesystem::path &file, int flags)
+        {
+            constexpr int ATTEMPTS = 40;
+            const int opened = open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666);
+            if (opened < 0)
+            {
+                throw InputError(file.string() + (flags == 0 ? ": cannot be read: " : ": cannot be written: ") +
+                                 std::strerror(errno));
+            }
+            for (int attempt = 0; flock(opened, LOCK_EX | LOCK_NB) != 0; ++attempt)
+            {
+                if (attempt == ATTEMPTS)
+                {
+                    ::close(opened);
+                    throw InputError(file.string() + ": in use by another campaign");
+                }
+                std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            }
+            return opened;
+        }
+
         std::ifstream openJournal(const std::filesystem::path &file)
         {
             std::ifstream in(file);
@@ -56,24 +82,35 @@ namespace ompl_mfa
     RunJournal::RunJournal(std::filesystem::path file, JournalHeader header)
       : path_(std::move(file))
       , header_(std::move(header))
+      , file_(lockJournal(path_, O_CREAT))
     {
-        file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-        if (file_ < 0)
-        {
-            throw InputError(path_.string() + ": cannot be written: " + std::strerror(errno));
-        }
+        truncate(0);
         appendLine(headerLine(header_));
     }
 
     RunJournal::RunJournal(std::filesystem::path file)
       : path_(std::move(file))
+      , file_(lockJournal(path_, 0))
+    {
+        try
+        {
+            readRecords();
+        }
+        catch (const InputError &)
+        {
+            ::close(file_);
+            throw;
+        }
+    }
+
+    void RunJournal::readRecords()
     {
         std::ifstream in = openJournal(path_);
         std::string line;
         std::getline(in, line);
         header_ = headerFrom(line, path_);
+        std::size_t whole = line.size() + 1;
         // A line without its end was cut off: the run is made again.
-        auto whole = static_cast<std::uintmax_t>(in.eof() ? 0 : line.size() + 1);
         for (int number = 2; std::getline(in, line) && !in.eof(); ++number)
         {
             try
@@ -87,17 +124,14 @@ namespace ompl_mfa
             }
             whole += line.size() + 1;
         }
-        in.close();
-        std::error_code failed;
-        std::filesystem::resize_file(path_, whole, failed);
-        file_ = open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-        if (failed || file_ < 0)
+        truncate(whole);
+    }
+
+    void RunJournal::truncate(std::size_t size)
+    {
+        if (ftruncate(file_, static_cast<off_t>(size)) != 0)
         {
             throw InputError(path_.string() + ": cannot be written: " + std::strerror(errno));
-        }
-        if (whole == 0)
-        {
-            appendLine(headerLine(header_));
         }
     }
 

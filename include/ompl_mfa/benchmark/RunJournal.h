@@ -29,10 +29,12 @@ namespace ompl_mfa
     class RunJournal
     {
     public:
-        /** \brief Starts a journal, replacing \e file. Throws InputError when it cannot be written. */
+        /** \brief Starts a journal, replacing \e file. Throws InputError when it cannot be written or
+            is in use. */
         RunJournal(std::filesystem::path file, JournalHeader header);
 
-        /** \brief Opens a journal to continue it. Throws InputError when \e file cannot be read or is no journal. */
+        /** \brief Opens a journal to continue it. Throws InputError when \e file cannot be read, is no journal or
+            is in use. */
         explicit RunJournal(std::filesystem::path file);
 
         ~RunJournal();
@@ -53,6 +55,8 @@ namespace ompl_mfa
         static JournalHeader readHeader(const std::filesystem::path &file);
 
     private:
+        void readRecords();
+        void truncate(std::size_t size);
         void appendLine(const std::string &line);
 
         std::filesystem::path path_;
