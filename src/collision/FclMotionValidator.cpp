@@ -96,6 +96,10 @@ namespace ompl_mfa::collision
     double FclMotionValidator::shareWithinBounds(const ob::State *s1, const ob::State *s2, double reached) const
     {
         const ob::StateSpacePtr &space = si_->getStateSpace();
+        if (space->satisfiesBounds(s2))
+        {
+            return reached;
+        }
         ob::State *state = si_->allocState();
         double inside = 0.;
         double outside = reached;

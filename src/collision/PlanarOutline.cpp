@@ -48,7 +48,8 @@ namespace ompl_mfa::collision
             return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
         }
 
-        // Andrew's monotone chain, counter-clockwise; a segment where all points are on a line.
+        // Andrew's monotone chain, counter-clockwise; a segment where all points are on a line. Points that only rounding
+        // puts off an edge are no corners.
         Polygon convexHull(Polygon points)
         {
             std::sort(points.begin(), points.end(),
@@ -59,13 +60,14 @@ namespace ompl_mfa::collision
             {
                 return points;
             }
+            const double rounding = 1e-12 * (points.back() - points.front()).squaredNorm();
             Polygon hull;
             for (int pass = 0; pass < 2; ++pass)
             {
                 const std::size_t start = hull.size();
                 for (const Eigen::Vector2d &point : points)
                 {
-                    while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0.)
+                    while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= rounding)
                     {
                         hull.pop_back();
                     }

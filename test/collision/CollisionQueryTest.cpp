@@ -1,0 +1,301 @@
+#include "ompl_mfa/collision/CollisionQuery.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
+
+#include "collision/RandomScenes.h"
+#include "collision/TestFiles.h"
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+        std::shared_ptr<const Scene> share(Scene scene)
+        {
+            return std::make_shared<const Scene>(std::move(scene));
+        }
+
+        RigidBody bodyOf(std::shared_ptr<fcl::CollisionGeometryd> geometry)
+        {
+            return RigidBody({{std::move(geometry)}});
+        }
+
+        // Depth of the best separating axis of two boxes: positive where they are apart. S. Gottschalk et al., 1996.
+        double separatingAxes(const fcl::Vector3d &sideA, const fcl::Transform3d &poseA, const fcl::Vector3d &sideB,
+                              const fcl::Transform3d &poseB)
+        {
+            std::vector<fcl::Vector3d> axes;
+            for (int i = 0; i < 3; ++i)
+            {
+                axes.emplace_back(poseA.linear().col(i));
+                axes.emplace_back(poseB.linear().col(i));
+                for (int j = 0; j < 3; ++j)
+                {
+                    axes.emplace_back(poseA.linear().col(i).cross(poseB.linear().col(j)));
+                }
+            }
+            double best = -unlimited;
+            for (const fcl::Vector3d &axis : axes)
+            {
+                if (axis.norm() > 1e-9)
+                {
+                    const fcl::Vector3d n = axis.normalized();
+                    const double reachA = 0.5 * sideA.dot((poseA.linear().transpose() * n).cwiseAbs());
+                    const double reachB = 0.5 * sideB.dot((poseB.linear().transpose() * n).cwiseAbs());
+                    best = std::max(best, std::abs(n.dot(poseA.translation() - poseB.translation())) - reachA - reachB);
+                }
+            }
+            return best;
+        }
+
+        TEST(CollisionQuery, SpheresAgreeWithTheClosedForm)
+        {
+            Random random(1);
+            Scene scene;
+            std::vector<std::pair<fcl::Vector3d, double>> balls;
+            for (int i = 0; i < 40; ++i)
+            {
+                balls.emplace_back(random.point(10.), random.uniform(0.1, 1.5));
+                fcl::Transform3d pose = fcl::Transform3d::Identity();
+                pose.translation() = balls.back().first;
+                scene.add({"", makePrimitive(*findPrimitiveKind("sphere"), {balls.back().second}), pose});
+            }
+            for (const double radius : {0., 0.6})
+            {
+                const CollisionQuery query(share(scene), {RigidBody::sphere(radius)});
+                int hits = 0;
+                for (int i = 0; i < 5000; ++i)
+                {
+                    const fcl::Transform3d pose = random.pose(10.);
+                    double expected = unlimited;
+                    for (const auto &[centre, size] : balls)
+                    {
+                        expected = std::min(expected, (pose.translation() - centre).norm() - size - radius);
+                    }
+                    EXPECT_EQ(query.collides(&pose), expected <= 0.);
+                    EXPECT_NEAR(query.distance(&pose, unlimited), std::max(0., expected), 1e-12);
+                    hits += expected <= 0. ? 1 : 0;
+                }
+                EXPECT_GT(hits, 50);
+            }
+        }
+
+        TEST(CollisionQuery, BoxesAgreeWithSeparatingAxes)
+        {
+            Random random(2);
+            Scene scene;
+            std::vector<std::pair<fcl::Vector3d, fcl::Transform3d>> boxes;
+            for (int i = 0; i < 40; ++i)
+            {
+                boxes.emplace_back(fcl::Vector3d(random.uniform(0.1, 3.), random.uniform(0.1, 3.), 1.),
+                                   random.pose(8.));
+                scene.add({"", std::make_shared<fcl::Boxd>(boxes.back().first), boxes.back().second});
+            }
+            const fcl::Vector3d side(0.5, 1., 2.);
+            const CollisionQuery query(share(scene), {RigidBody::box(side[0], side[1], side[2])});
+            int hits = 0;
+            for (int i = 0; i < 20000; ++i)
+            {
+                const fcl::Transform3d pose = random.pose(8.);
+                double expected = unlimited;
+                for (const auto &[size, place] : boxes)
+                {
+                    expected = std::min(expected, separatingAxes(size, place, side, pose));
+                }
+                EXPECT_EQ(query.collides(&pose), expected <= 0.) << expected;
+                hits += expected <= 0. ? 1 : 0;
+            }
+            EXPECT_GT(hits, 1000);
+        }
+
+        double triangleDistance(const MeshGeometry &a, const fcl::Transform3d &poseA, const MeshGeometry &b,
+                                const fcl::Transform3d &poseB)
+        {
+            double smallest = unlimited;
+            for (int i = 0; i < a.num_tris; ++i)
+            {
+                for (int j = 0; j < b.num_tris; ++j)
+                {
+                    std::array<fcl::Vector3d, 3> s;
+                    std::array<fcl::Vector3d, 3> t;
+                    for (int corner = 0; corner < 3; ++corner)
+                    {
+                        s[corner] = poseA * a.vertices[a.tri_indices[i][corner]];
+                        t[corner] = poseB * b.vertices[b.tri_indices[j][corner]];
+                    }
+                    fcl::Vector3d p;
+                    fcl::Vector3d q;
+                    smallest = std::min(smallest,
+                                        fcl::detail::TriangleDistance<double>::triDistance(s.data(), t.data(), p, q));
+                }
+            }
+            return smallest;
+        }
+
+        // Meshes, maps and primitives of the same boxes give the same answers, each through another way of FCL.
+        TEST(CollisionQuery, EveryKindOfABoxGivesTheSameAnswers)
+        {
+            Random random(4);
+            std::vector<Eigen::Vector3i> cells;
+            Scene boxes;
+            Scene meshes;
+            for (int i = 0; i < 25; ++i)
+            {
+                const Eigen::Vector3i cell = random.point(8.).cast<int>();
+                cells.push_back(cell);
+                fcl::Transform3d pose = fcl::Transform3d::Identity();
+                pose.translation() = 0.5 * (cell.cast<double>() + fcl::Vector3d::Constant(0.5));
+                boxes.add({"", std::make_shared<fcl::Boxd>(0.5, 0.5, 0.5), pose});
+                meshes.add({"", makeMeshGeometry(boxMesh({0.5, 0.5, 0.5})), pose});
+            }
+            Scene map;
+            map.add({"", occupancyMap(cells, 0.5)});
+            const auto boxScene = share(boxes);
+            const auto meshScene = share(meshes);
+            const auto mapScene = share(map);
+
+            // A mesh that is larger than every obstacle cannot be inside of one.
+            const std::vector<std::shared_ptr<fcl::CollisionGeometryd>> robots{
+                std::make_shared<fcl::Boxd>(1., 1.5, 0.7), std::make_shared<fcl::Sphered>(0.6),
+                std::make_shared<fcl::Cylinderd>(0.6, 1.), std::make_shared<fcl::Coned>(0.6, 1.2),
+                makeMeshGeometry(boxMesh({1., 1.5, 0.7}))};
+            for (const auto &robot : robots)
+            {
+                const CollisionQuery amongBoxes(boxScene, {bodyOf(robot)});
+                const CollisionQuery amongMeshes(meshScene, {bodyOf(robot)});
+                const CollisionQuery inMap(mapScene, {bodyOf(robot)});
+                const bool isMesh = robot->getNodeType() == fcl::BV_OBBRSS;
+                int hits = 0;
+                for (int i = 0; i < 300; ++i)
+                {
+                    const fcl::Transform3d pose = random.pose(4.);
+                    const bool collides = amongBoxes.collides(&pose);
+                    const double distance = amongBoxes.distance(&pose, unlimited);
+                    EXPECT_EQ(collides, distance <= 0.);
+                    EXPECT_EQ(inMap.collides(&pose), collides);
+                    EXPECT_NEAR(inMap.distance(&pose, unlimited), distance, 1e-9);
+                    hits += collides ? 1 : 0;
+                    if (!collides)
+                    {
+                        // Of a solid and a surface in it the surface touches nothing.
+                        EXPECT_FALSE(amongMeshes.collides(&pose));
+                        EXPECT_NEAR(amongMeshes.distance(&pose, unlimited), distance, 1e-9);
+                    }
+                    else if (!isMesh)
+                    {
+                        EXPECT_TRUE(amongMeshes.collides(&pose));
+                        EXPECT_EQ(amongMeshes.distance(&pose, unlimited), 0.);
+                    }
+                }
+                EXPECT_GT(hits, 5);
+            }
+        }
+
+        TEST(CollisionQuery, MeshDistanceIsThatOfTheClosestTriangles)
+        {
+            Random random(5);
+            const auto mesh = makeMeshGeometry(boxMesh({1., 2., 3.}));
+            const auto robot = makeMeshGeometry(boxMesh({0.5, 0.5, 2.}));
+            for (int i = 0; i < 200; ++i)
+            {
+                Scene scene;
+                scene.add({"", mesh, random.pose(3.)});
+                const CollisionQuery query(share(scene), {bodyOf(robot)});
+                const fcl::Transform3d pose = random.pose(3.);
+                const double expected = triangleDistance(*mesh, scene.objects()[0].pose, *robot, pose);
+                EXPECT_EQ(query.collides(&pose), expected <= 0.);
+                EXPECT_NEAR(query.distance(&pose, unlimited), expected, 1e-9);
+                EXPECT_NEAR(query.distance(&pose, 0.5), std::min(0.5, expected), 1e-9);
+            }
+        }
+
+        TEST(CollisionQuery, ChecksEveryShapeOfABody)
+        {
+            fcl::Transform3d arm = fcl::Transform3d::Identity();
+            arm.translation().x() = 5.;
+            const RigidBody body({{std::make_shared<fcl::Sphered>(0.5)}, {std::make_shared<fcl::Sphered>(0.5), arm}});
+            Scene scene;
+            fcl::Transform3d post = fcl::Transform3d::Identity();
+            post.translation().y() = 5.;
+            scene.add({"post", std::make_shared<fcl::Sphered>(1.), post});
+            const CollisionQuery query(share(scene), {body});
+            fcl::Transform3d pose = fcl::Transform3d::Identity();
+            EXPECT_FALSE(query.collides(&pose));
+            pose.linear() = Eigen::AngleAxisd(M_PI / 2., Eigen::Vector3d::UnitZ()).toRotationMatrix();
+            EXPECT_TRUE(query.collides(&pose));
+        }
+
+        TEST(CollisionQuery, ChecksBodiesAgainstEachOther)
+        {
+            const CollisionQuery query(share(Scene()), {RigidBody::sphere(1.), RigidBody::sphere(2.)});
+            std::vector<fcl::Transform3d> poses(2, fcl::Transform3d::Identity());
+            poses[1].translation().x() = 3.5;
+            EXPECT_FALSE(query.collides(poses.data()));
+            EXPECT_NEAR(query.distance(poses.data(), unlimited), 0.5, 1e-12);
+            poses[1].translation().x() = 2.5;
+            EXPECT_TRUE(query.collides(poses.data()));
+            EXPECT_EQ(query.distance(poses.data(), unlimited), 0.);
+        }
+
+        TEST(CollisionQuery, NothingToHitIsInfinitelyFar)
+        {
+            const CollisionQuery query(share(Scene()), {RigidBody::sphere(1.)});
+            const fcl::Transform3d pose = fcl::Transform3d::Identity();
+            EXPECT_FALSE(query.collides(&pose));
+            EXPECT_EQ(query.distance(&pose, unlimited), unlimited);
+            const BodyMotion motion;
+            EXPECT_EQ(query.advance(&motion, 1e-6, true), 1.);
+            EXPECT_THROW(CollisionQuery(nullptr, {RigidBody::sphere(1.)}), std::invalid_argument);
+            EXPECT_THROW(CollisionQuery(share(Scene()), {}), std::invalid_argument);
+        }
+
+        TEST(CollisionQuery, SolidMeshesHoldWhatIsWhollyInside)
+        {
+            Scene scene;
+            scene.add({"room", makeMeshGeometry(boxMesh({10., 10., 10.}))});
+            const auto room = share(scene);
+            const std::vector<std::shared_ptr<fcl::CollisionGeometryd>> robots{std::make_shared<fcl::Boxd>(1., 1., 1.),
+                                                                               std::make_shared<fcl::Sphered>(0.),
+                                                                               makeMeshGeometry(boxMesh({1., 1., 1.}))};
+            for (const auto &robot : robots)
+            {
+                const CollisionQuery surfaces(room, {bodyOf(robot)});
+                const CollisionQuery solids(room, {bodyOf(robot)}, MeshInterior::Solid);
+                fcl::Transform3d pose = fcl::Transform3d::Identity();
+                EXPECT_FALSE(surfaces.collides(&pose));
+                EXPECT_NEAR(surfaces.distance(&pose, unlimited), 5. - 0.5 * (robot->aabb_radius > 0. ? 1. : 0.), 1e-9);
+                EXPECT_TRUE(solids.collides(&pose));
+                EXPECT_EQ(solids.distance(&pose, unlimited), 0.);
+                pose.translation().x() = 8.;
+                EXPECT_FALSE(solids.collides(&pose));
+                EXPECT_GT(solids.distance(&pose, unlimited), 2.);
+            }
+        }
+
+        TEST(CollisionQuery, SolidRobotsHoldObstaclesAndEachOther)
+        {
+            Scene scene;
+            scene.add({"pebble", std::make_shared<fcl::Sphered>(0.1)});
+            const auto shell = makeMeshGeometry(boxMesh({4., 4., 4.}));
+            const fcl::Transform3d pose = fcl::Transform3d::Identity();
+            EXPECT_FALSE(CollisionQuery(share(scene), {bodyOf(shell)}).collides(&pose));
+            EXPECT_TRUE(CollisionQuery(share(scene), {bodyOf(shell)}, MeshInterior::Solid).collides(&pose));
+            const std::vector<fcl::Transform3d> poses(2, fcl::Transform3d::Identity());
+            const std::vector<RigidBody> bodies{bodyOf(shell), RigidBody::sphere(0.5)};
+            EXPECT_FALSE(CollisionQuery(share(Scene()), bodies).collides(poses.data()));
+            EXPECT_TRUE(CollisionQuery(share(Scene()), bodies, MeshInterior::Solid).collides(poses.data()));
+
+            TriangleMesh open = boxMesh({1., 1., 1.});
+            open.triangles.pop_back();
+            Scene broken;
+            broken.add({"open box", makeMeshGeometry(open)});
+            expectInputError([&broken] { CollisionQuery(share(broken), {RigidBody::sphere(1.)}, MeshInterior::Solid); },
+                             "'open box'", "not closed");
+        }
+    }  // namespace
+}  // namespace ompl_mfa::collision

@@ -1,0 +1,67 @@
+#include "ompl_mfa/collision/SceneLoader.h"
+
+#include <octomap/octomap.h>
+
+#include "collision/TestFiles.h"
+#include "ompl_mfa/collision/TriangleMesh.h"
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        const std::string sphereScene =
+            "world:\n  collision_objects:\n    - id: ball\n      primitives:\n"
+            "        - {type: sphere, dimensions: [1]}\n"
+            "        - {type: box, dimensions: [1, 1, 1]}\n"
+            "      primitive_poses: [{position: [3, 0, 0]}, {position: [0, 2, 0]}]\n";
+
+        TEST(SceneLoader, SelectsTheReaderByTheExtension)
+        {
+            const TemporaryFolder folder;
+            octomap::OcTree tree(0.5);
+            tree.updateNode(1., 1., 1., true);
+            tree.writeBinary((folder.path() / "map.bt").string());
+            EXPECT_EQ(loadScene(folder.write("scene.YML", sphereScene)).objects().size(), 2U);
+            EXPECT_EQ(loadScene(folder.path() / "map.bt").objects()[0].geometry->getNodeType(), fcl::GEOM_OCTREE);
+            const Scene mesh = loadScene(folder.write("cube.obj", cubeObj()));
+            EXPECT_EQ(mesh.objects()[0].geometry->getNodeType(), fcl::BV_OBBRSS);
+            EXPECT_EQ(mesh.objects()[0].id, "cube");
+            expectInputError([&folder] { loadScene(folder.path() / "none.yaml"); }, "none.yaml", "not found");
+        }
+
+        fcl::Vector3d centreOf(const RigidBody &body)
+        {
+            const auto &mesh = static_cast<const MeshGeometry &>(*body.shapes().front().geometry);
+            fcl::AABBd box;
+            for (int i = 0; i < mesh.num_vertices; ++i)
+            {
+                box += mesh.vertices[i];
+            }
+            return box.center();
+        }
+
+        TEST(SceneLoader, CentresRobotMeshesAsOmplApp)
+        {
+            const TemporaryFolder folder;
+            const auto file = folder.write("shifted.obj", "v 1 1 1\nv 3 1 1\nv 1 3 1\nv 1 1 3\nf 1 2 3\nf 1 2 4\n");
+            const fcl::Vector3d box(2., 2., 2.);
+            const fcl::Vector3d mean = loadMesh(file).vertexMean;
+            EXPECT_TRUE(centreOf(loadRobot(file, RobotCentring::None)).isApprox(box));
+            EXPECT_TRUE(centreOf(loadRobot(file, RobotCentring::VertexMean)).isApprox(box - mean));
+            EXPECT_TRUE(centreOf(loadRobot(file, RobotCentring::PlanarVertexMean))
+                            .isApprox(box - fcl::Vector3d(mean.x(), mean.y(), 0.)));
+        }
+
+        TEST(SceneLoader, TakesAPlanningSceneAsARobotOfSeveralShapes)
+        {
+            const TemporaryFolder folder;
+            const RigidBody robot = loadRobot(folder.write("robot.yaml", sphereScene), RobotCentring::VertexMean);
+            ASSERT_EQ(robot.shapes().size(), 2U);
+            EXPECT_DOUBLE_EQ(robot.radius(), 4.);
+            expectInputError([&folder] { loadRobot(folder.path() / "none.dae", RobotCentring::None); }, "none.dae",
+                             "robot file not found");
+            expectInputError([&folder] { loadRobot(folder.write("map.bt", ""), RobotCentring::None); }, "map.bt",
+                             "cannot be a robot");
+        }
+    }  // namespace
+}  // namespace ompl_mfa::collision

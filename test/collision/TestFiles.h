@@ -1,0 +1,95 @@
+#ifndef OMPL_MFA_TEST_COLLISION_TEST_FILES_
+#define OMPL_MFA_TEST_COLLISION_TEST_FILES_
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "ompl_mfa/InputError.h"
+
+namespace ompl_mfa::collision
+{
+    /** \brief A folder that goes away with the test. */
+    class TemporaryFolder
+    {
+    public:
+        TemporaryFolder()
+          : path_(std::filesystem::temp_directory_path() /
+                  ("ompl_mfa_" + std::to_string(getpid()) + "_" + std::to_string(count()++)))
+        {
+            std::filesystem::create_directories(path_);
+        }
+
+        ~TemporaryFolder()
+        {
+            std::error_code ignored;
+            std::filesystem::remove_all(path_, ignored);
+        }
+
+        TemporaryFolder(const TemporaryFolder &) = delete;
+        TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+
+        std::filesystem::path write(const std::string &name, const std::string &content) const
+        {
+            std::ofstream(path_ / name, std::ios::binary) << content;
+            return path_ / name;
+        }
+
+        const std::filesystem::path &path() const
+        {
+            return path_;
+        }
+
+    private:
+        static int &count()
+        {
+            static int folders = 0;
+            return folders;
+        }
+
+        std::filesystem::path path_;
+    };
+
+    /** \brief The message of the InputError that `action` throws; empty, and a failure, where it throws none. */
+    template <typename Action>
+    std::string inputErrorOf(const Action &action)
+    {
+        try
+        {
+            action();
+        }
+        catch (const InputError &error)
+        {
+            const std::string message = error.what();
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+            return message;
+        }
+        ADD_FAILURE() << "no InputError";
+        return "";
+    }
+
+    /** \brief Expects an InputError whose message has all these parts. */
+    template <typename Action, typename... Parts>
+    void expectInputError(const Action &action, const Parts &...parts)
+    {
+        const std::string message = inputErrorOf(action);
+        for (const std::string &part : {std::string(parts)...})
+        {
+            EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+        }
+    }
+
+    /** \brief A unit cube centred at the origin as Wavefront .obj: 12 triangles, closed. */
+    inline std::string cubeObj()
+    {
+        return "v -0.5 -0.5 -0.5\nv 0.5 -0.5 -0.5\nv 0.5 0.5 -0.5\nv -0.5 0.5 -0.5\n"
+               "v -0.5 -0.5 0.5\nv 0.5 -0.5 0.5\nv 0.5 0.5 0.5\nv -0.5 0.5 0.5\n"
+               "f 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\n"
+               "f 4 1 5\nf 4 5 8\n";
+    }
+}  // namespace ompl_mfa::collision
+
+#endif

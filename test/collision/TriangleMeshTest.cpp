@@ -1,0 +1,111 @@
+#include "ompl_mfa/collision/TriangleMesh.h"
+
+#include <array>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include "collision/TestFiles.h"
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        // A binary STL of one triangle.
+        std::string stl(const std::array<float, 9> &corners)
+        {
+            std::string content(80, ' ');
+            const std::uint32_t count = 1;
+            content.append(reinterpret_cast<const char *>(&count), sizeof(count));
+            const std::array<float, 3> normal{0.F, 0.F, 1.F};
+            content.append(reinterpret_cast<const char *>(normal.data()), sizeof(normal));
+            content.append(reinterpret_cast<const char *>(corners.data()), sizeof(corners));
+            content.append(2, '\0');
+            return content;
+        }
+
+        // A node that moves its mesh inside a node that scales it, in COLLADA, with a line beside the triangle. Its z
+        // is up: assimp turns that to y up in the transform of the root, so z becomes y and y becomes -z.
+        std::string collada()
+        {
+            return R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+ <asset><up_axis>Z_UP</up_axis></asset>
+ <library_geometries><geometry id="g"><mesh>
+  <source id="p"><float_array id="a" count="15">0 0 0 1 0 0 0 1 0 9 9 9 9 9 13</float_array>
+   <technique_common><accessor source="#a" count="5" stride="3">
+    <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+   </accessor></technique_common></source>
+  <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+  <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+  <lines count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>3 4</p></lines>
+ </mesh></geometry></library_geometries>
+ <library_visual_scenes><visual_scene id="s">
+  <node id="outer"><scale>2 2 2</scale>
+   <node id="inner"><translate>10 0 0</translate><instance_geometry url="#g"/></node></node>
+ </visual_scene></library_visual_scenes>
+ <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>)";
+        }
+
+        TEST(TriangleMesh, ReadsTheFormatsThatAssimpReads)
+        {
+            const TemporaryFolder folder;
+            const std::string ply =
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+            EXPECT_EQ(loadMesh(folder.write("cube.obj", cubeObj())).triangles.size(), 12U);
+            EXPECT_EQ(loadMesh(folder.write("one.stl", stl({0, 0, 0, 1, 0, 0, 0, 1, 0}))).triangles.size(), 1U);
+            EXPECT_EQ(loadMesh(folder.write("one.ply", ply)).triangles.size(), 1U);
+            EXPECT_EQ(loadMesh(folder.write("one.dae", collada())).triangles.size(), 1U);
+        }
+
+        TEST(TriangleMesh, AppliesEveryNodeTransform)
+        {
+            const TemporaryFolder folder;
+            const TriangleMesh mesh = loadMesh(folder.write("one.dae", collada()));
+            ASSERT_EQ(mesh.triangles.size(), 1U);
+            fcl::Vector3d centre = fcl::Vector3d::Zero();
+            for (int corner = 0; corner < 3; ++corner)
+            {
+                centre += mesh.vertices[mesh.triangles[0][corner]] / 3.;
+            }
+            EXPECT_TRUE(centre.isApprox(fcl::Vector3d(20. + 2. / 3., 0., -2. / 3.), 1e-6)) << centre.transpose();
+        }
+
+        // OMPL.app centres a robot on the mean of all vertices that assimp leaves, those of lines too.
+        TEST(TriangleMesh, MeanCountsTheVerticesOfLines)
+        {
+            const TemporaryFolder folder;
+            const TriangleMesh mesh = loadMesh(folder.write("one.dae", collada()));
+            EXPECT_TRUE(mesh.vertexMean.isApprox(fcl::Vector3d(20. + 38. / 5., 44. / 5., -38. / 5.), 1e-6))
+                << mesh.vertexMean.transpose();
+        }
+
+        TEST(TriangleMesh, TriangulatesPolygons)
+        {
+            const TemporaryFolder folder;
+            const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+            EXPECT_EQ(loadMesh(folder.write("square.obj", square)).triangles.size(), 2U);
+        }
+
+        TEST(TriangleMesh, RefusesWhatIsNoMesh)
+        {
+            const TemporaryFolder folder;
+            const auto load = [&folder](const std::string &name, const std::string &content)
+            { return [&folder, name, content] { loadMesh(folder.write(name, content)); }; };
+            expectInputError([&folder] { loadMesh(folder.path() / "none.dae"); }, "none.dae", "not found");
+            expectInputError([&folder] { loadMesh(folder.path()); }, "not found");
+            expectInputError(load("broken.dae", "this is no XML"), "broken.dae", "not a readable mesh");
+            expectInputError(load("empty.stl", ""), "empty.stl", "not a readable mesh");
+            expectInputError(load("mesh.unknown", "x"), "mesh.unknown", "not a readable mesh");
+            expectInputError(load("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), "lines.obj", "no triangles");
+            const float nan = std::numeric_limits<float>::quiet_NaN();
+            expectInputError(load("nan.stl", stl({0, 0, 0, 1, 0, 0, 0, nan, 0})), "nan.stl", "not a finite number");
+            const float inf = std::numeric_limits<float>::infinity();
+            expectInputError(load("inf.stl", stl({0, 0, inf, 1, 0, 0, 0, 1, 0})), "inf.stl", "not a finite number");
+            EXPECT_THROW(makeMeshGeometry(TriangleMesh()), std::invalid_argument);
+        }
+    }  // namespace
+}  // namespace ompl_mfa::collision
