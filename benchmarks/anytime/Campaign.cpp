@@ -56,6 +56,8 @@ namespace ompl_mfa::anytime
             const RunResult &result = run.result();
             progress << "[" << number << "/" << total << "] " << request.world->name << " " << request.planner << " #"
                      << request.seed << ": " << run.status();
+            if (!run.note().empty())
+                progress << " (" << run.note() << ")";
             if (result.solved)
                 progress << ", cost " << std::setprecision(6) << result.cost
                          << (result.valid ? "" : ", which fails check()");
@@ -91,7 +93,7 @@ namespace ompl_mfa::anytime
                 if (slot.run && slot.run->finished())
                 {
                     if (slot.run->status() == "bad request")
-                        throw InputError(slot.run->result().note);
+                        throw InputError(slot.run->note());
                     file.append(*slot.run);
                     reportRun(*slot.run, ++done, total, progress);
                     slot.run.reset();

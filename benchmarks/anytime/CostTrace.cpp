@@ -1,9 +1,13 @@
 #include "anytime/CostTrace.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <limits>
+
+#include <sys/prctl.h>
 
 namespace ob = ompl::base;
 
@@ -11,7 +15,7 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
-        constexpr double POLL_INTERVAL = 0.0002;
+        constexpr double INTERVAL = 0.0002;
 
         double seconds(clockid_t clock)
         {
@@ -42,42 +46,79 @@ namespace ompl_mfa::anytime
       , clock_(clock)
       , limit_(limit)
       , log_(log)
-      , wallStart_(wallTime())
-      , cpuStart_(cpuTime())
       , best_(std::numeric_limits<double>::infinity())
     {
-        const auto &properties = planner.getPlannerProgressProperties();
-        const auto found = properties.find("best cost REAL");
-        if (found != properties.end())
-            bestCost_ = found->second;
+        // REAL or, in some planners, DOUBLE
+        for (const auto &[name, property] : planner.getPlannerProgressProperties())
+        {
+            if (name.rfind("best cost ", 0) == 0)
+                bestCost_ = property;
+        }
         problem.pdef->setIntermediateSolutionCallback(
             [this](const ob::Planner *, const std::vector<const ob::State *> &, const ob::Cost cost)
             { offer(cost.value()); });
+        watcher_ = std::thread([this] { watch(); });
+        while (!watching_)
+            std::this_thread::yield();
+        wallStart_ = wallTime();
+        cpuStart_ = cpuTime();
+        started_ = true;
     }
 
     CostTrace::~CostTrace()
     {
+        stop();
         problem_.pdef->setIntermediateSolutionCallback({});
+    }
+
+    void CostTrace::stop()
+    {
+        stopped_ = true;
+        if (watcher_.joinable())
+            watcher_.join();
+    }
+
+    void CostTrace::watch()
+    {
+        // the kernel's default of 0.05 ms would add to every sleep
+        prctl(PR_SET_TIMERSLACK, 1);
+        watching_ = true;
+        while (!stopped_)
+        {
+            std::this_thread::sleep_for(std::chrono::duration<double>(INTERVAL));
+            if (started_)
+                look();
+        }
     }
 
     bool CostTrace::expired()
     {
-        if (expired_.load(std::memory_order_relaxed))
-            return true;
-        const double wall = wallTime() - wallStart_;
-        if (clock_ == Clock::WALL && wall >= limit_)
-            expired_ = true;
-        else if (wall >= nextPoll_.load(std::memory_order_relaxed))
-        {
-            nextPoll_ = wall + POLL_INTERVAL;
-            poll();
-            if (clock_ == Clock::CPU && cpuTime() - cpuStart_ >= limit_)
-                expired_ = true;
-        }
-        return expired_;
+        if (!expired_.load(std::memory_order_relaxed) && wallTime() >= nextLook_.load(std::memory_order_relaxed))
+            look();
+        return expired_.load(std::memory_order_relaxed);
     }
 
-    void CostTrace::poll()
+    void CostTrace::look()
+    {
+        const std::unique_lock<std::mutex> lock(lookMutex_, std::try_to_lock);
+        if (!lock.owns_lock())
+            return;
+        nextLook_ = wallTime() + INTERVAL;
+        readBestCost();
+        readClocks();
+    }
+
+    void CostTrace::readClocks()
+    {
+        const double cpu = cpuTime() - cpuStart_;
+        longestGap_ = std::max(longestGap_, cpu - lastLook_);
+        lastLook_ = cpu;
+        ++looks_;
+        if ((clock_ == Clock::CPU ? cpu : wallTime() - wallStart_) >= limit_)
+            expired_ = true;
+    }
+
+    void CostTrace::readBestCost()
     {
         if (!bestCost_)
             return;

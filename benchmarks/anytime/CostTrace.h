@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <thread>
 
 #include <ompl/base/Planner.h>
 
@@ -49,13 +50,13 @@ namespace ompl_mfa::anytime
     };
 
     /** \brief Follows the cost of a planner's best path while it runs: through the callback for intermediate
-        solutions, and by reading the property `best cost` whenever the planner asks whether it should stop, at most
-        every 0.2 ms. */
+        solutions and, because some planners have only that, by reading the progress property `best cost` every
+        0.2 ms, when the planner asks whether it should stop and, as OMPL's own Benchmark does, from a thread. */
     class CostTrace
     {
     public:
-        /** \brief Registers the callback in the problem definition. The clocks start here. \e limit in seconds of
-            \e clock. */
+        /** \brief Registers the callback in the problem definition and starts the thread and the clocks. \e limit in
+            seconds of \e clock. */
         CostTrace(const Problem &problem, const ompl::base::Planner &planner, Clock clock, double limit,
                   ImprovementLog &log);
         ~CostTrace();
@@ -65,23 +66,49 @@ namespace ompl_mfa::anytime
         /** \brief The planner's termination condition: true once the limit has passed. */
         bool expired();
 
+        /** \brief Stops looking. */
+        void stop();
+
         /** \brief Logs \e cost if it is better than all before. */
         void offer(double cost);
 
+        /** \brief How often the cost was read. */
+        std::uint64_t looks() const
+        {
+            return looks_;
+        }
+
+        /** \brief Processor seconds of the longest time between two looks, once stopped. */
+        double longestGap() const
+        {
+            return longestGap_;
+        }
+
     private:
-        void poll();
+        void watch();
+        void look();
+        void readBestCost();
+        void readClocks();
 
         const Problem &problem_;
         Clock clock_;
         double limit_;
         ImprovementLog &log_;
         ompl::base::Planner::PlannerProgressProperty bestCost_;
-        double wallStart_;
-        double cpuStart_;
+        double wallStart_{0.0};
+        double cpuStart_{0.0};
         double best_;
         std::mutex mutex_;
-        std::atomic<double> nextPoll_{0.0};
         std::atomic<bool> expired_{false};
+        std::atomic<bool> stopped_{false};
+        std::atomic<bool> watching_{false};
+        std::atomic<bool> started_{false};
+        std::atomic<double> nextLook_{0.0};
+        std::mutex lookMutex_;
+        std::uint64_t looks_{0};
+        double lastLook_{0.0};
+        double longestGap_{0.0};
+        std::thread watcher_;
     };
 }  // namespace ompl_mfa::anytime
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -44,6 +45,20 @@ namespace ompl_mfa::anytime
             result.pathChecks = (problem.checker->checks() - before) / REPETITIONS;
         }
 
+        void storePath(const Problem &problem, const og::PathGeometric &path, RunResult &result)
+        {
+            result.states = path.getStateCount();
+            std::vector<double> reals;
+            for (std::size_t i = 0; i < path.getStateCount(); ++i)
+            {
+                problem.si->getStateSpace()->copyToReals(reals, path.getState(i));
+                if (result.reals + reals.size() > RunResult::CAPACITY)
+                    return;
+                std::copy(reals.begin(), reals.end(), result.path + result.reals);
+                result.reals += reals.size();
+            }
+        }
+
         void checkPath(const Problem &problem, RunResult &result)
         {
             result.cost = std::numeric_limits<double>::infinity();
@@ -53,7 +68,7 @@ namespace ompl_mfa::anytime
             const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.pdef->getSolutionPath());
             result.valid = path->check() && joinsStartAndGoal(problem, *path);
             result.cost = path->cost(problem.pdef->getOptimizationObjective()).value();
-            result.states = static_cast<unsigned int>(path->getStateCount());
+            storePath(problem, *path, result);
             timePathCheck(problem, *path, result);
         }
     }  // namespace
@@ -76,6 +91,9 @@ namespace ompl_mfa::anytime
             result.wall = wallTime() - wallBefore;
             result.cpu = cpuTime() - result.cpuBefore;
             result.checks = problem.checker->checks() - checksBefore;
+            trace.stop();
+            result.longestGap = trace.longestGap();
+            result.looks = trace.looks();
             result.stage = Stage::CHECKING;
             checkPath(problem, result);
         }

@@ -2,6 +2,7 @@
 #define OMPL_MFA_BENCHMARKS_ANYTIME_PLANNER_RUN_
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -47,10 +48,18 @@ namespace ompl_mfa::anytime
         bool valid{false};
         /** \brief Cost of the path as it was returned; infinite without one. */
         double cost{0.0};
-        unsigned int states{0};
+        /** \brief That path, state by state, each as the reals of its space; none when it is too long. */
+        static constexpr std::size_t CAPACITY = 100000;
+        std::size_t states{0};
+        std::size_t reals{0};
+        double path[CAPACITY]{};
         /** \brief Seconds to check the returned path once (the least of several times), and states checked for it. */
         double pathCheck{0.0};
         std::uint64_t pathChecks{0};
+        /** \brief Processor seconds of the longest time in which nobody looked at the cost. */
+        double longestGap{0.0};
+        /** \brief How often somebody did. */
+        std::uint64_t looks{0};
         char note[200]{};
         ImprovementLog log;
     };

@@ -31,6 +31,16 @@ namespace ompl_mfa::anytime
             return improvements;
         }
 
+        /* One entry a state. */
+        Json pathOf(const RunResult &result)
+        {
+            Json path = Json::array();
+            const std::size_t width = result.states > 0 ? result.reals / result.states : 0;
+            for (std::size_t i = 0; width * result.states == result.reals && i < result.states; ++i)
+                path.push_back(std::vector<double>(result.path + i * width, result.path + (i + 1) * width));
+            return path;
+        }
+
         Json toJson(const RunProcess &run)
         {
             const RunRequest &request = run.request();
@@ -42,16 +52,18 @@ namespace ompl_mfa::anytime
                     {"time_limit", request.timeLimit},
                     {"clock", clockName(request.clock)},
                     {"status", run.status()},
-                    {"note", result.note},
+                    {"note", run.note()},
                     {"solved", result.solved},
                     {"valid", result.valid},
                     {"cost", finiteOrNull(result.solved ? result.cost : INFINITY)},
-                    {"states", result.states},
                     {"wall", result.wall},
                     {"cpu", result.cpu},
                     {"checks", result.checks},
                     {"path_check", result.pathCheck},
                     {"path_checks", result.pathChecks},
+                    {"looks", result.looks},
+                    {"longest_gap", result.longestGap},
+                    {"path", pathOf(result)},
                     {"improvements", toJson(result.log)}};
         }
 

@@ -1,5 +1,6 @@
 #include "anytime/RunProcess.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -36,7 +37,7 @@ namespace ompl_mfa::anytime
         }
 
         /* The process dies with its parent, leaves no core, and is quiet. */
-        void prepareProcess(int core)
+        void prepareProcess(int core, int errors)
         {
             prctl(PR_SET_PDEATHSIG, SIGKILL);
             const rlimit noCore{0, 0};
@@ -49,7 +50,19 @@ namespace ompl_mfa::anytime
             sched_setaffinity(0, sizeof(cores), &cores);
             const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
             dup2(nowhere, STDOUT_FILENO);
-            dup2(nowhere, STDERR_FILENO);
+            dup2(errors, STDERR_FILENO);
+        }
+
+        /* What a process that aborts has to say: failed assertions, uncaught exceptions. */
+        std::string lastLine(int file)
+        {
+            char text[4096];
+            const off_t size = lseek(file, 0, SEEK_END);
+            const off_t first = std::max<off_t>(0, size - static_cast<off_t>(sizeof(text)));
+            const ssize_t count = pread(file, text, sizeof(text), first);
+            std::string tail(text, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+            tail.erase(tail.find_last_not_of('\n') + 1);
+            return tail.substr(tail.find_last_of('\n') + 1);
         }
 
         void note(RunResult &result, const char *text)
@@ -85,6 +98,7 @@ namespace ompl_mfa::anytime
     RunProcess::RunProcess(const RunRequest &request, int core, const RunBody &body)
       : request_(request)
       , result_(makeSharedResult())
+      , errors_(memfd_create("stderr of a run", MFD_CLOEXEC))
       , started_(wallTime())
     {
         pid_ = fork();
@@ -97,8 +111,9 @@ namespace ompl_mfa::anytime
     RunProcess::RunProcess(RunProcess &&other) noexcept
       : request_(std::move(other.request_))
       , result_(std::move(other.result_))
-      , pid_(std::exchange(other.pid_, -1))
+      , errors_(std::exchange(other.errors_, -1))
       , started_(other.started_)
+      , pid_(std::exchange(other.pid_, -1))
       , killed_(other.killed_)
       , status_(std::move(other.status_))
     {
@@ -106,15 +121,18 @@ namespace ompl_mfa::anytime
 
     RunProcess::~RunProcess()
     {
-        if (pid_ <= 0)
-            return;
-        kill(pid_, SIGKILL);
-        waitpid(pid_, nullptr, 0);
+        if (pid_ > 0)
+        {
+            kill(pid_, SIGKILL);
+            waitpid(pid_, nullptr, 0);
+        }
+        if (errors_ >= 0)
+            close(errors_);
     }
 
     void RunProcess::startChild(int core, const RunBody &body)
     {
-        prepareProcess(core);
+        prepareProcess(core, errors_);
         // no destructor of the parent's objects may run here, and planners that crash in theirs have done their run
         _exit(guarded(body, request_, *result_));
     }
@@ -128,6 +146,7 @@ namespace ompl_mfa::anytime
         {
             pid_ = -1;
             readStatus(waitStatus);
+            note_ = result_->note[0] != '\0' ? result_->note : lastLine(errors_);
             return true;
         }
         if (!killed_ && isOverdue())

@@ -47,6 +47,12 @@ namespace ompl_mfa::anytime
             return status_;
         }
 
+        /** \brief After the end: what an exception said, or the last line of the process' standard error. */
+        const std::string &note() const
+        {
+            return note_;
+        }
+
         const RunResult &result() const
         {
             return *result_;
@@ -59,10 +65,12 @@ namespace ompl_mfa::anytime
 
         RunRequest request_;
         std::shared_ptr<RunResult> result_;
-        pid_t pid_{-1};
+        int errors_{-1};
         double started_{0.0};
+        pid_t pid_{-1};
         bool killed_{false};
         std::string status_;
+        std::string note_;
     };
 }  // namespace ompl_mfa::anytime
 

@@ -5,6 +5,7 @@
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/spaces/RealVectorStateProjections.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
 namespace ob = ompl::base;
@@ -31,6 +32,13 @@ namespace ompl_mfa::anytime
         private:
             StateCheck isFree_;
         };
+
+        /* OMPL's own choice in the plane is an identity that aborts in 1.5.2, and planners with it. */
+        void registerIdentityProjection(const ob::StateSpacePtr &space)
+        {
+            space->registerDefaultProjection(
+                std::make_shared<ob::RealVectorOrthogonalProjectionEvaluator>(space, std::vector<unsigned int>{0, 1}));
+        }
 
         ob::ScopedState<> toState(const ob::StateSpacePtr &space, const Eigen::VectorXd &x)
         {
@@ -89,7 +97,11 @@ namespace ompl_mfa::anytime
         const auto length = std::make_shared<ob::PathLengthOptimizationObjective>(si);
         length->setCostThreshold(ob::Cost(0.0));
         pdef->setOptimizationObjective(length);
-        return countChecks(si, pdef);
+        Problem problem = countChecks(si, pdef);
+        // setting up a space registers its own projections anew
+        if (dimension == 2)
+            registerIdentityProjection(space);
+        return problem;
     }
 
     double WorldRandom::uniform(double low, double high)
