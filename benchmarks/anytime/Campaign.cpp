@@ -18,6 +18,7 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
+        /* The one first on which this process is: the scheduler has found it the least busy. */
         std::vector<int> availableCores()
         {
             cpu_set_t set;
@@ -29,6 +30,9 @@ namespace ompl_mfa::anytime
                 if (CPU_ISSET(core, &set))
                     cores.push_back(core);
             }
+            const auto here = std::find(cores.begin(), cores.end(), sched_getcpu());
+            if (here != cores.end())
+                std::rotate(cores.begin(), here, cores.end());
             return cores;
         }
 
