@@ -185,11 +185,12 @@ TEST_F(StatisticsTest, NoColumnIsInBothTables)
 
 TEST_F(StatisticsTest, ProgressIsDenseAndFallsInCost)
 {
-    // Time limits below are 0.1 s at 1 ms: a machine that is busy may lose many samples, not nine of ten.
-    EXPECT_EQ(query("SELECT count(*) FROM (SELECT r.id, count(*) AS samples FROM progress g JOIN runs r ON r.id = "
-                    "g.runid JOIN experiments e ON e.id = r.experimentid WHERE e.name = 'disc' GROUP BY r.id) "
-                    "WHERE samples < 10"),
-              "0\n");
+    // A busy machine loses samples while a planner runs; from its return on the series has one each millisecond.
+    EXPECT_EQ(query("SELECT count(*) > 0, min(samples - (0.1 - time) / 0.001) > -3 FROM (SELECT r.time AS time, "
+                    "count(*) AS samples FROM progress g JOIN runs r ON r.id = g.runid JOIN experiments e ON e.id = "
+                    "r.experimentid JOIN plannerConfigs p ON p.id = r.plannerid WHERE e.name = 'disc' AND p.name LIKE "
+                    "'%RRTConnect' GROUP BY r.id)"),
+              "1|1\n");
     EXPECT_EQ(query("SELECT count(*) FROM progress a JOIN progress b ON a.runid = b.runid AND a.time < b.time WHERE "
                     "b.best_cost > a.best_cost"),
               "0\n");
