@@ -200,7 +200,8 @@ namespace ompl_mfa
     {
         auto space = std::make_shared<ob::RealVectorStateSpace>(2);
         space->setBounds(0.0, 1.0);
-        const auto planner = createPlanner(std::make_shared<ob::SpaceInformation>(space), {type, "", type, {}, {}});
+        requireKnownPlanner(type, "planners");
+        const auto planner = plannerTable().at(type).allocate(std::make_shared<ob::SpaceInformation>(space));
         std::vector<PlannerParameter> parameters;
         for (const auto &[name, parameter] : planner->params().getParams())
             parameters.push_back(

@@ -1,3 +1,4 @@
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -88,20 +89,22 @@ namespace
     void printText(const nlohmann::json &description)
     {
         const auto &motion = description["straight_motion"];
+        std::cout << std::setprecision(6);
         std::cout << "problem    " << description["problem"].get<std::string>() << "\n"
                   << "space      " << description["space"].get<std::string>() << "\n"
                   << "world      "
                   << (description["world"].is_null() ? "empty" : description["world"].get<std::string>()) << ", "
                   << description["obstacles"] << " obstacles\n"
                   << "robot      " << description["robot"].get<std::string>() << ", radius "
-                  << description["robot_radius"] << "\n"
+                  << description["robot_radius"].get<double>() << "\n"
                   << "start      valid\n"
                   << "goal       valid\n"
                   << "straight   ";
         if (motion["free"].get<bool>())
-            std::cout << "free, length " << motion["length"] << "\n";
+            std::cout << "free, length " << motion["length"].get<double>() << "\n";
         else
-            std::cout << "blocked after " << motion["free_fraction"] << " of length " << motion["length"] << "\n";
+            std::cout << "blocked after " << motion["free_fraction"].get<double>() << " of length "
+                      << motion["length"].get<double>() << "\n";
         std::cout << "planners   " << description["planners"].size() << "\n";
     }
 

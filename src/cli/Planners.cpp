@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <ompl/util/Console.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,8 @@ namespace
     {
         for (const auto &name : options.names)
             ompl_mfa::requireKnownPlanner(name, "planners");
+        // BIT* warns about some of its parameters whenever they are read
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
         const auto names = options.names.empty() ? ompl_mfa::plannerNames() : options.names;
         if (options.json)
             printJson(names);

@@ -172,10 +172,11 @@ namespace ompl_mfa::cli
             void addBest(const og::PathGeometric &path)
             {
                 og::PathGeometric spaced = path;
-                spaced.interpolate(ROBOT_POSES);
-                for (const auto *state : spaced.getStates())
+                spaced.interpolate(static_cast<unsigned int>(path.getStateCount()) * ROBOT_POSES);
+                const std::size_t step = std::max<std::size_t>(1, spaced.getStateCount() / ROBOT_POSES);
+                for (std::size_t i = step; i + step <= spaced.getStateCount(); i += step)
                 {
-                    const fcl::Transform3d placed = pose(state);
+                    const fcl::Transform3d placed = pose(spaced.getState(static_cast<unsigned int>(i)));
                     for (const auto &shape : problem_.robot().shapes())
                         addOutlines({"robot", shape.geometry, shape.pose}, placed, ROBOT);
                 }
