@@ -194,7 +194,7 @@ namespace ompl_mfa::collision
 
         void advance(const PairFunctions &functions, const MovingShape &other)
         {
-            reached = advancePair(functions, part->moving(motions), other, tolerance, reached);
+            reached = advancePair(functions, part->moving(motions), other, {tolerance, untilFirst}, reached);
         }
     };
 
@@ -279,8 +279,9 @@ namespace ompl_mfa::collision
     {
         auto &state = *static_cast<PartQuery *>(query);
         const auto &obstacle = static_cast<const Obstacle &>(*object);
+        DistanceSearch search{state.smallest};
         state.smallest = state.part.obstacleFunctions[obstacle.index].distance(
-            *state.part.geometry, state.world, *obstacle.geometry, obstacle.pose, state.smallest);
+            *state.part.geometry, state.world, *obstacle.geometry, obstacle.pose, search);
         searchRadius = state.smallest;
         return state.smallest <= 0.;
     }
@@ -358,9 +359,9 @@ namespace ompl_mfa::collision
         }
         for (const auto &[i, j] : bodyPairs_)
         {
-            smallest =
-                std::min(smallest, parts_[i].partFunctions[j].distance(*parts_[i].geometry, worlds[i],
-                                                                       *parts_[j].geometry, worlds[j], smallest));
+            DistanceSearch search{smallest};
+            smallest = std::min(smallest, parts_[i].partFunctions[j].distance(*parts_[i].geometry, worlds[i],
+                                                                              *parts_[j].geometry, worlds[j], search));
         }
         if (smallest > 0. && solidInteriors_ && isInside(worlds))
         {
@@ -374,8 +375,8 @@ namespace ompl_mfa::collision
         if (obstacles_.size() == 1)
         {
             const Obstacle &obstacle = *obstacles_.front();
-            return part.obstacleFunctions[0].distance(*part.geometry, world, *obstacle.geometry, obstacle.pose,
-                                                      smallest);
+            DistanceSearch search{smallest};
+            return part.obstacleFunctions[0].distance(*part.geometry, world, *obstacle.geometry, obstacle.pose, search);
         }
         PartQuery query{part, world, false, smallest};
         PlacedShape placed(part, world);

@@ -24,10 +24,19 @@ namespace ompl_mfa::collision
         void place(double t, fcl::Transform3d &world) const;
     };
 
-    /** \brief Share of the motion up to which two shapes stay at least `tolerance` apart; `end` where that is all of
-        [0, end]. */
-    double advancePair(const PairFunctions &functions, const MovingShape &a, const MovingShape &b, double tolerance,
-                       double end);
+    struct AdvancementGoal
+    {
+        /** \brief Shapes that are this close touch. */
+        double tolerance;
+
+        /** \brief Whether it only matters if the whole motion is free. */
+        bool untilFirst;
+    };
+
+    /** \brief Share of the motion up to which two shapes stay more than the tolerance apart; `end` where that is all
+        of [0, end]. */
+    double advancePair(const PairFunctions &functions, const MovingShape &a, const MovingShape &b,
+                       const AdvancementGoal &goal, double end);
 }  // namespace ompl_mfa::collision
 
 #endif

@@ -200,9 +200,10 @@ namespace ompl_mfa::collision
             }
 
             static void distance(const Geometry *a, const Pose &poseA, const Geometry *b, const Pose &poseB,
-                                 const fcl::DistanceRequestd &request, fcl::DistanceResultd &result)
+                                 fcl::DistanceResultd &result)
             {
                 static const CertifiedSolver solver;
+                static const fcl::DistanceRequestd request;
                 if constexpr (std::is_same_v<A, MeshGeometry> && std::is_same_v<B, MeshGeometry>)
                 {
                     fcl::detail::BVHDistance<BoundingVolume>(a, poseA, b, poseB, request, result);
@@ -227,6 +228,35 @@ namespace ompl_mfa::collision
                 }
             }
         };
+
+        fcl::TrianglePd triangleOf(const MeshGeometry &mesh, intptr_t index)
+        {
+            const fcl::Triangle &triangle = mesh.tri_indices[index];
+            return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
+        }
+
+        // Upper bound on a distance from the triangles that were closest before; infinite where there are none.
+        template <typename A, typename B>
+        double rememberedDistance(const A &a, const Pose &poseA, const B &b, const Pose &poseB,
+                                  const DistanceSearch &search)
+        {
+            if constexpr (std::is_same_v<A, MeshGeometry>)
+            {
+                if (search.nearestA >= 0)
+                {
+                    const fcl::TrianglePd triangle = triangleOf(a, search.nearestA);
+                    if constexpr (isPrimitive<B>)
+                    {
+                        return separate(b, poseB, triangle, poseA, false).upper;
+                    }
+                    else if constexpr (std::is_same_v<B, MeshGeometry>)
+                    {
+                        return separate(triangle, poseA, triangleOf(b, search.nearestB), poseB, false).upper;
+                    }
+                }
+            }
+            return std::numeric_limits<double>::infinity();
+        }
 
         // FCL has a mesh before a primitive, and a map before both.
         template <typename A, typename B>
@@ -254,24 +284,32 @@ namespace ompl_mfa::collision
         }
 
         template <typename A, typename B>
-        double distancePair(const Geometry &a, const Pose &poseA, const Geometry &b, const Pose &poseB, double limit)
+        double distancePair(const Geometry &a, const Pose &poseA, const Geometry &b, const Pose &poseB,
+                            DistanceSearch &search)
         {
             if constexpr (isPrimitive<A> && isPrimitive<B>)
             {
                 return std::min(
-                    limit,
+                    search.limit,
                     separateShapes(static_cast<const A &>(a), poseA, static_cast<const B &>(b), poseB, false).lower);
             }
             else if constexpr (inOrder<A, B>)
             {
-                static const fcl::DistanceRequestd request;
-                fcl::DistanceResultd result(limit);
-                Traversal<A, B>::distance(&a, poseA, &b, poseB, request, result);
+                const double remembered =
+                    rememberedDistance(static_cast<const A &>(a), poseA, static_cast<const B &>(b), poseB, search);
+                const double known = std::min(search.limit, remembered);
+                fcl::DistanceResultd result(known);
+                Traversal<A, B>::distance(&a, poseA, &b, poseB, result);
+                if (result.min_distance < known)
+                {
+                    search.nearestA = result.b1;
+                    search.nearestB = result.b2;
+                }
                 return result.min_distance;
             }
             else
             {
-                return distancePair<B, A>(b, poseB, a, poseA, limit);
+                return distancePair<B, A>(b, poseB, a, poseA, search);
             }
         }
 

@@ -1,12 +1,25 @@
 #ifndef OMPL_MFA_COLLISION_NARROW_PHASE_
 #define OMPL_MFA_COLLISION_NARROW_PHASE_
 
+#include <cstdint>
+
 #include <fcl/geometry/collision_geometry.h>
 
 #include "ConvexDistance.h"
 
 namespace ompl_mfa::collision
 {
+    /** \brief What a distance is asked for, and what is remembered for the next question about the same pair. */
+    struct DistanceSearch
+    {
+        /** \brief Distances from here on are all the same. */
+        double limit;
+
+        /** \brief Triangles of the two meshes that were closest last; they bound the distance from above. */
+        intptr_t nearestA{-1};
+        intptr_t nearestB{-1};
+    };
+
     /** \brief How one pair of shapes is checked. The geometries are given in the order of the table. */
     struct PairFunctions
     {
@@ -14,9 +27,9 @@ namespace ompl_mfa::collision
         bool (*collide)(const fcl::CollisionGeometryd &, const fcl::Transform3d &, const fcl::CollisionGeometryd &,
                         const fcl::Transform3d &);
 
-        /** \brief Distance, at most 0 where they touch; `limit` where it is no less than that. */
+        /** \brief Distance, at most 0 where they touch; the limit where it is no less than that. */
         double (*distance)(const fcl::CollisionGeometryd &, const fcl::Transform3d &, const fcl::CollisionGeometryd &,
-                           const fcl::Transform3d &, double limit);
+                           const fcl::Transform3d &, DistanceSearch &search);
 
         /** \brief Distance with the plane that proves it; null where one of the two is not convex. */
         ConvexSeparation (*separate)(const fcl::CollisionGeometryd &, const fcl::Transform3d &,

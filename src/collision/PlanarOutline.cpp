@@ -48,8 +48,8 @@ namespace ompl_mfa::collision
             return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
         }
 
-        // Andrew's monotone chain, counter-clockwise; a segment where all points are on a line. Points that only rounding
-        // puts off an edge are no corners.
+        // Andrew's monotone chain, counter-clockwise; a segment where all points are on a line. Points that only
+        // rounding puts off an edge are no corners.
         Polygon convexHull(Polygon points)
         {
             std::sort(points.begin(), points.end(),
