@@ -167,6 +167,52 @@ namespace ompl_mfa::collision
             return result;
         }
 
+        // FCL fits the volume around a primitive anew for each query, on the heap. The box of the primitive does as
+        // well; its thinnest side is the roundness of the rectangle that distances are taken to.
+        template <typename Shape>
+        BoundingVolume volumeAround(const Shape &shape, const Pose &pose)
+        {
+            fcl::AABBd box;
+            fcl::computeBV(shape, Pose::Identity(), box);
+            const fcl::Vector3d half = 0.5 * (box.max_ - box.min_);
+            int thin = 0;
+            half.minCoeff(&thin);
+            const int second = (thin + 1) % 3;
+            const int third = (thin + 2) % 3;
+            BoundingVolume volume;
+            volume.obb.axis.col(0) = pose.linear().col(second);
+            volume.obb.axis.col(1) = pose.linear().col(third);
+            volume.obb.axis.col(2) = pose.linear().col(thin);
+            volume.obb.To = pose * box.center();
+            volume.obb.extent << half[second], half[third], half[thin];
+            volume.rss.axis = volume.obb.axis;
+            const bool isBall = std::is_same_v<Shape, fcl::Sphered>;
+            volume.rss.l[0] = isBall ? 0. : 2. * half[second];
+            volume.rss.l[1] = isBall ? 0. : 2. * half[third];
+            volume.rss.r = half[thin];
+            volume.rss.To = volume.obb.To - 0.5 * volume.rss.l[0] * volume.rss.axis.col(0) -
+                            0.5 * volume.rss.l[1] * volume.rss.axis.col(1);
+            return volume;
+        }
+
+        // As FCL's initialize() does for both kinds of node, but for the volume.
+        template <typename Node, typename Shape, typename Request, typename Result>
+        void setUpTraversal(Node &node, const MeshGeometry &mesh, const Pose &meshPose, const Shape &shape,
+                            const Pose &shapePose, const CertifiedSolver &solver, const Request &request,
+                            Result &result)
+        {
+            node.request = request;
+            node.result = &result;
+            node.model1 = &mesh;
+            node.tf1 = meshPose;
+            node.model2 = &shape;
+            node.tf2 = shapePose;
+            node.nsolver = &solver;
+            node.model2_bv = volumeAround(shape, shapePose);
+            node.vertices = mesh.vertices;
+            node.tri_indices = mesh.tri_indices;
+        }
+
         // FCL's traversal for a pair with a mesh or a map on at least one side.
         template <typename A, typename B>
         struct Traversal
@@ -181,8 +227,10 @@ namespace ompl_mfa::collision
                 }
                 else if constexpr (std::is_same_v<A, MeshGeometry>)
                 {
-                    fcl::detail::BVHShapeCollider<BoundingVolume, B, CertifiedSolver>::collide(
-                        a, poseA, b, poseB, &solver, request, result);
+                    fcl::detail::MeshShapeCollisionTraversalNodeOBBRSS<B, CertifiedSolver> node;
+                    setUpTraversal(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB, solver,
+                                   request, result);
+                    fcl::detail::collide(&node);
                 }
                 else if constexpr (std::is_same_v<B, MeshGeometry>)
                 {
@@ -210,8 +258,10 @@ namespace ompl_mfa::collision
                 }
                 else if constexpr (std::is_same_v<A, MeshGeometry>)
                 {
-                    fcl::detail::BVHShapeDistancer<BoundingVolume, B, CertifiedSolver>::distance(
-                        a, poseA, b, poseB, &solver, request, result);
+                    fcl::detail::MeshShapeDistanceTraversalNodeOBBRSS<B, CertifiedSolver> node;
+                    setUpTraversal(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB, solver,
+                                   request, result);
+                    fcl::detail::distance(&node);
                 }
                 else if constexpr (std::is_same_v<B, MeshGeometry>)
                 {

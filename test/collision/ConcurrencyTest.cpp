@@ -1,0 +1,193 @@
+/* Queries from several threads, and what a query allocates. This program counts every allocation of the C++ heap. */
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+
+#include "collision/RandomScenes.h"
+#include "ompl_mfa/collision/FclMotionValidator.h"
+
+// GCC takes these for the library's own where it inlines them, and misses that they go together.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+
+namespace
+{
+    std::atomic<std::size_t> allocations{0};
+}
+
+void *operator new(std::size_t size)
+{
+    ++allocations;
+    void *memory = std::malloc(size);
+    if (memory == nullptr)
+    {
+        throw std::bad_alloc();
+    }
+    return memory;
+}
+
+void *operator new(std::size_t size, std::align_val_t alignment)
+{
+    ++allocations;
+    const auto step = static_cast<std::size_t>(alignment);
+    void *memory = std::aligned_alloc(step, (size + step - 1) / step * step);
+    if (memory == nullptr)
+    {
+        throw std::bad_alloc();
+    }
+    return memory;
+}
+
+void operator delete(void *memory) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t /*size*/) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void *memory, std::align_val_t /*alignment*/) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept
+{
+    std::free(memory);
+}
+
+namespace ompl_mfa::collision
+{
+    namespace
+    {
+        namespace ob = ompl::base;
+
+        // Obstacles and robots of every kind, of which each query meets each pair.
+        struct Setting
+        {
+            explicit Setting(std::shared_ptr<fcl::CollisionGeometryd> robot, MeshInterior interior)
+            {
+                auto space = std::make_shared<ob::SE3StateSpace>();
+                ob::RealVectorBounds bounds(3);
+                bounds.setLow(-6.);
+                bounds.setHigh(6.);
+                space->setBounds(bounds);
+                si = std::make_shared<ob::SpaceInformation>(space);
+                Random random(1);
+                Scene scene;
+                for (const char *kind : {"sphere", "box", "cylinder", "cone"})
+                {
+                    for (int i = 0; i < 8; ++i)
+                    {
+                        scene.add({kind, random.primitive(kind), random.pose(6.)});
+                    }
+                }
+                for (int i = 0; i < 8; ++i)
+                {
+                    scene.add({"mesh", makeMeshGeometry(boxMesh({1., 1.5, 0.5})), random.pose(6.)});
+                }
+                scene.add({"map", occupancyMap({{0, 0, 0}, {1, 0, 0}, {-8, 4, 4}, {5, 5, 5}}, 0.5)});
+                checker = std::make_shared<FclStateValidityChecker>(si, std::make_shared<Scene>(scene),
+                                                                    RigidBody({{std::move(robot)}}), interior);
+                si->setStateValidityChecker(checker);
+                si->setup();
+                validator = std::make_shared<FclMotionValidator>(si, checker);
+                for (int i = 0; i < 120; ++i)
+                {
+                    states.push_back(si->allocState());
+                }
+                const ob::StateSamplerPtr sampler = si->allocStateSampler();
+                for (ob::State *state : states)
+                {
+                    sampler->sampleUniform(state);
+                }
+            }
+
+            ~Setting()
+            {
+                for (ob::State *state : states)
+                {
+                    si->freeState(state);
+                }
+            }
+
+            Setting(const Setting &) = delete;
+            Setting &operator=(const Setting &) = delete;
+
+            // Everything that can be asked, for every state. \param answers as many as there are states.
+            void ask(std::vector<double> &answers) const
+            {
+                for (std::size_t i = 0; i < states.size(); ++i)
+                {
+                    answers[i] = checker->isValid(states[i]) ? 1. : 0.;
+                    answers[i] += checker->clearance(states[i]);
+                    const ob::State *next = states[(i + 1) % states.size()];
+                    answers[i] += validator->checkMotion(states[i], next) ? 10. : 0.;
+                    std::pair<ob::State *, double> lastValid(nullptr, 1.);
+                    validator->checkMotion(states[i], next, lastValid);
+                    answers[i] += 100. * lastValid.second;
+                }
+            }
+
+            ob::SpaceInformationPtr si;
+            std::shared_ptr<FclStateValidityChecker> checker;
+            std::shared_ptr<FclMotionValidator> validator;
+            std::vector<ob::State *> states;
+        };
+
+        std::vector<std::shared_ptr<fcl::CollisionGeometryd>> robots()
+        {
+            return {std::make_shared<fcl::Sphered>(0.4), std::make_shared<fcl::Boxd>(0.5, 0.7, 0.9),
+                    std::make_shared<fcl::Cylinderd>(0.3, 1.), std::make_shared<fcl::Coned>(0.4, 0.8),
+                    makeMeshGeometry(boxMesh({0.5, 0.7, 0.9}))};
+        }
+
+        TEST(Concurrency, ThreadsGetTheAnswersOfOne)
+        {
+            for (const auto &robot : robots())
+            {
+                const Setting setting(robot, MeshInterior::Free);
+                std::vector<double> expected(setting.states.size());
+                setting.ask(expected);
+                std::vector<std::vector<double>> answers(4, std::vector<double>(setting.states.size()));
+                std::vector<std::thread> threads;
+                threads.reserve(answers.size());
+                for (std::vector<double> &own : answers)
+                {
+                    threads.emplace_back([&setting, &own] { setting.ask(own); });
+                }
+                for (std::thread &thread : threads)
+                {
+                    thread.join();
+                }
+                for (const std::vector<double> &own : answers)
+                {
+                    EXPECT_EQ(own, expected);
+                }
+                const unsigned int asked =
+                    setting.validator->getValidMotionCount() + setting.validator->getInvalidMotionCount();
+                EXPECT_EQ(asked, 5U * 2U * setting.states.size());
+            }
+        }
+
+        TEST(Concurrency, AQueryAllocatesNothing)
+        {
+            for (const auto &robot : robots())
+            {
+                const Setting setting(robot, MeshInterior::Free);
+                std::vector<double> answers(setting.states.size());
+                setting.ask(answers);
+                const std::size_t before = allocations;
+                setting.ask(answers);
+                EXPECT_EQ(allocations - before, 0U) << "robot of FCL's node type " << robot->getNodeType();
+            }
+        }
+    }  // namespace
+}  // namespace ompl_mfa::collision
