@@ -10,6 +10,10 @@
 
 namespace
 {
+    /** \brief The range of the coordinates in the paper's study of eq. (19): gamma means on every box what it means
+     * there. */
+    constexpr double REFERENCE_RANGE = 10.0;
+
     [[noreturn]] void refuse(const char *setting, double value, const std::string &accepted)
     {
         std::ostringstream message;
@@ -73,7 +77,7 @@ ompl_mfa::FireflyOptimizer::FireflyOptimizer(const Settings &settings, const Eig
     const Eigen::Index dimension = lower_.size();
     const unsigned int size = settings_.populationSize;
     range_ = upper_ - lower_;
-    inverseRange_ = (range_.array() > 0.0).select(range_.cwiseInverse(), 0.0);
+    inverseScale_ = (range_.array() > 0.0).select(REFERENCE_RANGE * range_.cwiseInverse(), 0.0);
     population_.resize(dimension, size);
     for (unsigned int i = 0; i < size; ++i)
     {
@@ -211,8 +215,8 @@ void ompl_mfa::FireflyOptimizer::move(unsigned int rank)
     for (unsigned int brighter = brighter_[rank]; brighter-- > 0;)
     {
         const auto target = population_.col(order_[brighter]);
-        // Eq. (3), squared, in coordinates scaled by their ranges.
-        const double squaredDistance = ((x - target).cwiseProduct(inverseRange_)).squaredNorm();
+        // Eq. (3), squared, in units of a tenth of each coordinate's range.
+        const double squaredDistance = ((x - target).cwiseProduct(inverseScale_)).squaredNorm();
         // Eqs. (4) and (15).
         const double absorbed = std::exp(-settings_.gamma * squaredDistance);
         const double beta = settings_.betaMin + (beta0Now - settings_.betaMin) * absorbed;

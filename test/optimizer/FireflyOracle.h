@@ -114,7 +114,7 @@ private:
                     continue;
                 double squared = 0.0;
                 for (std::size_t k = 0; k < x.size(); ++k)
-                    squared += std::pow((x[k] - other[k]) / (upper_[k] - lower_[k]), 2);
+                    squared += std::pow(10 * (x[k] - other[k]) / (upper_[k] - lower_[k]), 2);
                 const double beta = beta0 * std::exp(-parameters_.gamma * squared);
                 for (std::size_t k = 0; k < x.size(); ++k)
                     x[k] += beta * (other[k] - x[k]) + alpha * (upper_[k] - lower_[k]) * (uniform() - 0.5);

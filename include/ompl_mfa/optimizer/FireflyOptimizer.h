@@ -64,7 +64,8 @@ namespace ompl_mfa
             unsigned int generations{50};
 
             /** \brief Light absorption, at least 0. It acts on the distance of two fireflies with every coordinate
-                divided by its range, so that it means the same on every box. */
+                measured in tenths of its range: the same on every box, and the plain distance on [-5, 5]^2, where the
+                paper has its 0.5. */
             double gamma{0.5};
 
             /** \brief The random step in parts of a coordinate's range, in [0, 1], at the beginning of an epoch. */
@@ -223,8 +224,8 @@ namespace ompl_mfa
         Eigen::VectorXd upper_;
         Eigen::VectorXd range_;
 
-        /** \brief 1 / range, 0 where the range is 0: the length scale of gamma. */
-        Eigen::VectorXd inverseRange_;
+        /** \brief 10 / range, 0 where the range is 0: the inverse length scale of gamma. */
+        Eigen::VectorXd inverseScale_;
         RandomSource random_;
 
         Eigen::MatrixXd population_;
