@@ -23,7 +23,7 @@ namespace
 
     pagmo::population ackley(unsigned int size = 30, unsigned int seed = 5)
     {
-        return {pagmo::problem(pagmo::ackley(6)), size, seed};
+        return pagmo::population(pagmo::problem(pagmo::ackley(6)), size, seed);
     }
 }  // namespace
 

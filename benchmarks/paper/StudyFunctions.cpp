@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <vector>
+
+#include "cli/TestFunction.h"
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/optimizer/FireflyOptimizer.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
+#include "paper/Contender.h"
+#include "paper/Study.h"
+
+using ompl_mfa::FireflyOptimizer;
+using ompl_mfa::cli::TestFunction;
+
+namespace
+{
+    struct Job
+    {
+        std::string function;
+        unsigned int dimension;
+        bool moved;
+        std::string algorithm;
+        unsigned int run;
+    };
+
+    /** \brief Every coordinate of the optimum moves down by 5 to 15 % of the cube's edge, other each run. */
+    Eigen::VectorXd drawShift(const Job &job)
+    {
+        const TestFunction function(job.function, job.dimension);
+        ompl_mfa::RandomSource random(job.run);
+        Eigen::VectorXd shift = Eigen::VectorXd::Zero(job.dimension);
+        for (unsigned int k = 0; job.moved && k < job.dimension; ++k)
+            shift[k] = -(0.05 + 0.1 * random.uniform()) * (function.upper() - function.lower())[k];
+        return shift;
+    }
+
+    std::vector<Job> makeJobs(unsigned int runs)
+    {
+        std::vector<Job> jobs;
+        for (const auto &function : TestFunction::names())
+        {
+            for (const unsigned int dimension : {2U, 10U, 30U})
+            {
+                if (function == "sinc" && dimension != 2)
+                    continue;
+                for (const auto &algorithm : ompl_mfa::paper::contenders())
+                {
+                    for (unsigned int run = 1; run <= runs; ++run)
+                    {
+                        jobs.push_back({function, dimension, true, algorithm, run});
+                        if (algorithm == "mfa" || algorithm == "fa" || algorithm == "de")
+                            jobs.push_back({function, dimension, false, algorithm, run});
+                    }
+                }
+            }
+        }
+        return jobs;
+    }
+
+    /** \brief The populations of Figs. 5 and 6: for each algorithm the run of median share near the optimum. */
+    void writePopulations(const std::string &file)
+    {
+        std::ofstream out(file);
+        out << std::setprecision(10) << "algorithm,run,share,x,y\n";
+        for (const auto variant : {FireflyOptimizer::Variant::FA, FireflyOptimizer::Variant::MFA})
+        {
+            for (unsigned int run = 1; run <= 30; ++run)
+            {
+                TestFunction function("sinc", 2);
+                FireflyOptimizer::Settings settings;
+                settings.variant = variant;
+                FireflyOptimizer optimizer(settings, function.lower(), function.upper(), run);
+                for (unsigned int generation = 0; generation <= settings.generations; ++generation)
+                    optimizer.step(function, [] { return false; });
+                const auto &x = optimizer.population();
+                double near = 0.0;
+                for (Eigen::Index i = 0; i < x.cols(); ++i)
+                    near += function.isNearOptimum(x.col(i)) ? 1.0 : 0.0;
+                for (Eigen::Index i = 0; i < x.cols(); ++i)
+                    out << (variant == FireflyOptimizer::Variant::FA ? "fa," : "mfa,") << run << ","
+                        << near / settings.populationSize << "," << x(0, i) << "," << x(1, i) << "\n";
+            }
+        }
+    }
+}  // namespace
+
+void ompl_mfa::paper::studyFunctions(const StudyOptions &options)
+{
+    const auto jobs = makeJobs(options.functionRuns);
+    std::vector<double> errors(jobs.size());
+    runParallel(jobs.size(), options.threads,
+                [&](std::size_t i)
+                {
+                    TestFunction function(jobs[i].function, jobs[i].dimension, drawShift(jobs[i]));
+                    const Run run = runContender(jobs[i].algorithm, function, function.lower(), function.upper(),
+                                                 -1e300, jobs[i].run);
+                    const double optimum = function.evaluate(function.optimum(), nullptr).cost;
+                    errors[i] = std::max(0.0, run.best.cost - optimum);
+                });
+    std::ofstream out(options.outputFolder + "/functions.csv");
+    if (!out)
+        throw InputError("cannot write '" + options.outputFolder + "/functions.csv'");
+    out << std::setprecision(10) << "function,dimension,moved,algorithm,run,error\n";
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+        out << jobs[i].function << "," << jobs[i].dimension << "," << (jobs[i].moved ? 1 : 0) << ","
+            << jobs[i].algorithm << "," << jobs[i].run << "," << errors[i] << "\n";
+    writePopulations(options.outputFolder + "/populations.csv");
+}

@@ -1,0 +1,235 @@
+#include <atomic>
+#include <exception>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "ompl_mfa/InputError.h"
+#include "paper/Contender.h"
+#include "paper/PlannerContender.h"
+#include "paper/Study.h"
+#include "paper/StudyScenes.h"
+
+using ompl_mfa::paper::PathProblem;
+using ompl_mfa::paper::PathScene;
+using ompl_mfa::paper::Points;
+using ompl_mfa::paper::Run;
+using ompl_mfa::paper::SLICES;
+using ompl_mfa::paper::StudyOptions;
+
+namespace
+{
+    constexpr unsigned int SEEDED_SCENES = 20;
+    constexpr unsigned int SLICE_RESOLUTION = 400;
+    constexpr const char *PLANNER = "mfa_default";
+
+    struct Job
+    {
+        std::size_t scene;
+        std::string algorithm;
+        unsigned int run;
+    };
+
+    struct Outcome
+    {
+        Run run;
+        Points path;
+    };
+
+    std::ofstream openTable(const StudyOptions &options, const std::string &name, const std::string &header)
+    {
+        std::ofstream out(options.outputFolder + "/" + name);
+        if (!out)
+            throw ompl_mfa::InputError("cannot write '" + options.outputFolder + "/" + name + "'");
+        out << std::setprecision(10) << header << "\n";
+        return out;
+    }
+
+    bool isPaperScene(const PathScene &scene)
+    {
+        return scene.name.rfind("paper", 0) == 0;
+    }
+
+    std::vector<std::string> algorithmsFor(const PathScene &scene)
+    {
+        auto algorithms = ompl_mfa::paper::contenders();
+        const auto &ablations = ompl_mfa::paper::ablations();
+        if (isPaperScene(scene))
+            algorithms.insert(algorithms.end(), ablations.begin(), ablations.end());
+        return algorithms;
+    }
+
+    std::vector<Job> makeJobs(const std::vector<PathScene> &scenes, const StudyOptions &options, bool planner)
+    {
+        std::vector<Job> jobs;
+        for (std::size_t scene = 0; scene < scenes.size(); ++scene)
+        {
+            const unsigned int runs = isPaperScene(scenes[scene]) ? options.paperRuns : options.seededRuns;
+            for (const auto &algorithm : planner ? std::vector<std::string>{PLANNER} : algorithmsFor(scenes[scene]))
+            {
+                for (unsigned int run = 1; run <= runs; ++run)
+                    jobs.push_back({scene, algorithm, run});
+            }
+        }
+        return jobs;
+    }
+
+    Outcome runJob(const Job &job, const PathScene &scene, double optimum)
+    {
+        const double target = 1.01 * optimum;
+        if (job.algorithm == PLANNER)
+        {
+            auto result = ompl_mfa::paper::runPlanner(scene, SLICES, target, job.run);
+            return {std::move(result.run), std::move(result.path)};
+        }
+        PathProblem problem(scene, SLICES);
+        Outcome outcome{runContender(job.algorithm, problem, problem.lower(), problem.upper(), target, job.run), {}};
+        outcome.path = problem.path(outcome.run.x);
+        return outcome;
+    }
+
+    void writeRuns(const StudyOptions &options, const std::vector<PathScene> &scenes, const std::vector<Job> &jobs,
+                   const std::vector<Outcome> &outcomes, const std::string &prefix)
+    {
+        auto runs = openTable(options, prefix + "runs.csv",
+                              "scene,algorithm,run,cost,violation,evaluations,evaluations_to_target");
+        auto times = openTable(options, prefix + "times.csv", "scene,algorithm,run,seconds,seconds_to_target");
+        auto traces = openTable(options, prefix + "convergence.csv", "scene,algorithm,run,hundredth,cost");
+        auto paths = openTable(options, prefix + "paths.csv", "scene,algorithm,run,x,y");
+        for (std::size_t i = 0; i < jobs.size(); ++i)
+        {
+            const auto &run = outcomes[i].run;
+            const std::string key =
+                scenes[jobs[i].scene].name + "," + jobs[i].algorithm + "," + std::to_string(jobs[i].run) + ",";
+            runs << key << run.best.cost << "," << run.best.violation << "," << run.evaluations << ","
+                 << run.evaluationsToTarget << "\n";
+            times << key << run.seconds << "," << run.secondsToTarget << "\n";
+            if (!isPaperScene(scenes[jobs[i].scene]))
+                continue;
+            for (std::size_t k = 0; k < run.trace.size(); ++k)
+                traces << key << k + 1 << "," << run.trace[k] << "\n";
+            for (const auto &point : outcomes[i].path)
+                paths << key << point.x() << "," << point.y() << "\n";
+        }
+    }
+
+    std::vector<PathScene> allScenes(const StudyOptions &options)
+    {
+        auto scenes = ompl_mfa::paper::paperScenes(options.worldFile);
+        const auto seeded = ompl_mfa::paper::seededScenes(SEEDED_SCENES);
+        scenes.insert(scenes.end(), seeded.begin(), seeded.end());
+        return scenes;
+    }
+
+    void studyPlanning(const StudyOptions &options, bool planner)
+    {
+        const auto scenes = allScenes(options);
+        std::vector<double> optima(scenes.size());
+        ompl_mfa::paper::runParallel(
+            scenes.size(), options.threads,
+            [&](std::size_t i)
+            { optima[i] = ompl_mfa::oracle::shortestPath(scenes[i].world, scenes[i].start, scenes[i].goal).length; });
+        const auto jobs = makeJobs(scenes, options, planner);
+        std::vector<Outcome> outcomes(jobs.size());
+        // The planner's runs share OMPL's random number generators and so keep their order.
+        ompl_mfa::paper::runParallel(jobs.size(), planner ? 1 : options.threads,
+                                     [&](std::size_t i)
+                                     { outcomes[i] = runJob(jobs[i], scenes[jobs[i].scene], optima[jobs[i].scene]); });
+        writeRuns(options, scenes, jobs, outcomes, planner ? "planner_" : "");
+    }
+}  // namespace
+
+void ompl_mfa::paper::runParallel(std::size_t count, unsigned int threads, const std::function<void(std::size_t)> &job)
+{
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr failure;
+    std::mutex mutex;
+    std::vector<std::thread> workers;
+    workers.reserve(threads);
+    for (unsigned int t = 0; t < threads; ++t)
+    {
+        workers.emplace_back(
+            [&]
+            {
+                try
+                {
+                    for (std::size_t i = next++; i < count; i = next++)
+                        job(i);
+                }
+                catch (...)
+                {
+                    const std::lock_guard<std::mutex> lock(mutex);
+                    failure = std::current_exception();
+                }
+            });
+    }
+    for (auto &worker : workers)
+        worker.join();
+    if (failure)
+        std::rethrow_exception(failure);
+}
+
+void ompl_mfa::paper::writeScenes(const StudyOptions &options)
+{
+    auto table =
+        openTable(options, "scenes.csv", "scene,obstacles,start_x,start_y,goal_x,goal_y,optimum,slice_optimum");
+    auto obstacles = openTable(options, "obstacles.csv", "scene,obstacle,radius,x,y");
+    auto paths = openTable(options, "optima.csv", "scene,x,y");
+    for (const auto &scene : allScenes(options))
+    {
+        const auto exact = oracle::shortestPath(scene.world, scene.start, scene.goal);
+        table << scene.name << "," << scene.world.obstacles.size() << "," << scene.start.x() << "," << scene.start.y()
+              << "," << scene.goal.x() << "," << scene.goal.y() << "," << exact.length << ","
+              << PathProblem(scene, SLICES).sliceOptimum(SLICE_RESOLUTION) << "\n";
+        for (std::size_t k = 0; k < scene.world.obstacles.size(); ++k)
+        {
+            const auto &obstacle = scene.world.obstacles[k];
+            for (const auto &vertex : obstacle.vertices)
+                obstacles << scene.name << "," << k << "," << obstacle.radius << "," << vertex.x() << "," << vertex.y()
+                          << "\n";
+        }
+        for (const auto &point : exact.path)
+            paths << scene.name << "," << point.x() << "," << point.y() << "\n";
+    }
+}
+
+void ompl_mfa::paper::studyPaths(const StudyOptions &options)
+{
+    studyPlanning(options, false);
+}
+
+void ompl_mfa::paper::studyPlanner(const StudyOptions &options)
+{
+    studyPlanning(options, true);
+}
+
+void ompl_mfa::paper::studySlices(const StudyOptions &options)
+{
+    const PathScene scene = paperScenes(options.worldFile).front();
+    const double optimum = oracle::shortestPath(scene.world, scene.start, scene.goal).length;
+    const std::vector<unsigned int> counts{4, 6, 8, 12, 16, 24};
+    const std::vector<std::string> algorithms{"ga", "fa", "fa_long", "mfa", "sade", "abc"};
+    const std::size_t runs = options.sliceRuns;
+    std::vector<Run> results(counts.size() * algorithms.size() * runs);
+    runParallel(results.size(), options.threads,
+                [&](std::size_t i)
+                {
+                    PathProblem problem(scene, counts[i / runs / algorithms.size()]);
+                    results[i] = runContender(algorithms[i / runs % algorithms.size()], problem, problem.lower(),
+                                              problem.upper(), 1.01 * optimum, i % runs + 1);
+                });
+    std::vector<double> optima(counts.size());
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        optima[i] = PathProblem(scene, counts[i]).sliceOptimum(SLICE_RESOLUTION);
+    auto table = openTable(options, "slices.csv", "slices,slice_optimum,algorithm,run,cost,violation");
+    for (std::size_t i = 0; i < results.size(); ++i)
+    {
+        const std::size_t k = i / runs / algorithms.size();
+        table << counts[k] << "," << optima[k] << "," << algorithms[i / runs % algorithms.size()] << "," << i % runs + 1
+              << "," << results[i].best.cost << "," << results[i].best.violation << "\n";
+    }
+}
