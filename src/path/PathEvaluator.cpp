@@ -7,6 +7,12 @@ namespace ob = ompl::base;
 
 namespace ompl_mfa
 {
+    namespace
+    {
+        /* OMPL bisects a motion: an invalid one is found out after this part of its states, as a rule. */
+        constexpr std::uint64_t INVALID_EARLY = 6;
+    }  // namespace
+
     PathEvaluator::PathEvaluator(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective)
       : si_(std::move(si))
       , objective_(std::move(objective))
@@ -30,23 +36,35 @@ namespace ompl_mfa
         partialPath_ = std::move(event);
     }
 
-    ob::Cost PathEvaluator::cost(const Waypoints &path) const
+    ob::Cost PathEvaluator::cost(const Waypoints &path)
     {
+        work_ += path.size();
         ob::Cost cost = objective_->initialCost(path.front());
         for (std::size_t i = 1; i < path.size(); ++i)
             cost = objective_->combineCosts(cost, objective_->motionCost(path[i - 1], path[i]));
         return objective_->combineCosts(cost, objective_->terminalCost(path.back()));
     }
 
+    bool PathEvaluator::stopped()
+    {
+        interrupted_ = interrupted_ || (stop_ && stop_());
+        return interrupted_;
+    }
+
+    bool PathEvaluator::checkState(const ob::State *state)
+    {
+        ++work_;
+        return si_->satisfiesBounds(state) && si_->isValid(state);
+    }
+
     bool PathEvaluator::checkMotion(const ob::State *from, const ob::State *to)
     {
-        if (interrupted_ || (stop_ && stop_()))
-        {
-            interrupted_ = true;
+        if (stopped())
             return false;
-        }
-        stateChecks_ += si_->getStateSpace()->validSegmentCount(from, to);
-        return si_->checkMotion(from, to);
+        const std::uint64_t states = si_->getStateSpace()->validSegmentCount(from, to);
+        const bool valid = si_->checkMotion(from, to);
+        work_ += valid ? states : 1 + states / INVALID_EARLY;
+        return valid;
     }
 
     bool PathEvaluator::checkPath(const Waypoints &path)
@@ -98,7 +116,7 @@ namespace ompl_mfa
     {
         si_->copyState(scratch_, path[motion]);
         std::pair<ob::State *, double> lastValid(scratch_, 0.0);
-        stateChecks_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
+        work_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
         si_->checkMotion(path[motion], path[motion + 1], lastValid);
         partialPath_(path, motion, scratch_);
     }
@@ -114,7 +132,7 @@ namespace ompl_mfa
             if (!si_->isValid(scratch_))
                 ++invalid;
         }
-        stateChecks_ += count;
+        work_ += count;
         // a motion that only the motion validator finds invalid still counts
         return si_->distance(from, to) * std::max(1U, invalid) / count;
     }

@@ -1,5 +1,7 @@
 #include "ompl_mfa/path/SliceObjective.h"
 
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ompl_mfa
@@ -9,12 +11,25 @@ namespace ompl_mfa
       , evaluator_(evaluator)
       , validPath_(std::move(validPath))
       , path_(frame.chart()->space())
+      , bound_(std::numeric_limits<double>::infinity())
+      , beyondBound_(frame.chart()->space()->getMaximumExtent() * static_cast<double>(frame.slices() + 1))
     {
+    }
+
+    void SliceObjective::setBound(double bound)
+    {
+        bound_ = bound;
     }
 
     Brightness SliceObjective::evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival)
     {
         frame_.toWaypoints(x, path_);
+        if (std::isfinite(bound_))
+        {
+            const ompl::base::Cost cost = evaluator_.cost(path_);
+            if (!evaluator_.objective()->isCostBetterThan(cost, ompl::base::Cost(bound_)))
+                return {beyondBound_ + std::abs(cost.value() - bound_), cost.value()};
+        }
         const Brightness brightness = evaluator_.evaluate(path_, rival);
         if (brightness.isFeasible())
             validPath_(path_, brightness);

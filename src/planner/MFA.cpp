@@ -1,5 +1,7 @@
 #include "ompl_mfa/planner/MFA.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -13,8 +15,9 @@ namespace ompl_mfa
 {
     namespace
     {
-        /* Pairs of start and goal beyond these get no swarm of their own. */
-        constexpr std::size_t MAX_SWARMS = 8;
+        /* Bounds of a turn, in units of PathEvaluator::work(). */
+        constexpr std::uint64_t SHORTEST_TURN = 400;
+        constexpr std::uint64_t LONGEST_TURN = 40000;
     }  // namespace
 
     MFA::MFA(const ob::SpaceInformationPtr &si)
@@ -45,8 +48,7 @@ namespace ompl_mfa
     {
         Planner::clear();
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
-        swarms_.clear();
-        activeSwarm_ = 0;
+        forgetParts();
         evaluator_.reset();
         query_->reset();
         incumbent_->reset(nullptr);
@@ -81,6 +83,7 @@ namespace ompl_mfa
         evaluator_->setPartialPathEvent([this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
                                         { offerPartial(path, motion, lastValid); });
         runSeed_ = seed_ != 0 ? seed_ : static_cast<std::uint64_t>(rng_.uniformInt(1, 1 << 30));
+        prepareParts();
     }
 
     ob::PlannerStatus::StatusType MFA::begin(const ob::PlannerTerminationCondition &ptc)
@@ -88,8 +91,7 @@ namespace ompl_mfa
         prepareQuery();
         published_ = false;
         evaluator_->setStopCondition([&ptc] { return ptc(); });
-        const auto status = query_->begin(pis_, ptc, chart_, si_, runSeed_);
-        return status;
+        return query_->begin(pis_, ptc, chart_, si_, runSeed_);
     }
 
     ob::PlannerStatus MFA::solve(const ob::PlannerTerminationCondition &ptc)
@@ -139,60 +141,21 @@ namespace ompl_mfa
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
         query_->poll(pis_, ptc);
         tryStraightMotions();
-        fly(ptc);
-    }
-
-    void MFA::tryStraightMotions()
-    {
-        const Waypoints &starts = query_->starts();
-        const Waypoints &goals = query_->goals();
-        for (std::size_t i = 0; i < starts.size(); ++i)
-        {
-            for (std::size_t j = i < triedStarts_ ? triedGoals_ : 0; j < goals.size(); ++j)
-                tryStraightMotion(starts[i], goals[j]);
-        }
-        triedStarts_ = starts.size();
-        triedGoals_ = goals.size();
-    }
-
-    void MFA::tryStraightMotion(const ob::State *start, const ob::State *goal)
-    {
-        Waypoints path(si_->getStateSpace());
-        path.append(start);
-        path.append(goal);
-        const Brightness brightness = evaluator_->evaluate(path, nullptr);
-        if (brightness.isFeasible())
-            offer(path, brightness.cost);
-        ++evaluations_;
-        if (swarms_.size() >= MAX_SWARMS)
+        const std::vector<bool> available = availableParts();
+        if (std::find(available.begin(), available.end(), true) == available.end() || finished(ptc))
             return;
-        SliceFrame frame = SliceFrame::straight(chart_, start, goal, slices_ + 1);
-        if (frame.dimension() > 0)
-            swarms_.push_back(std::make_unique<Swarm>(
-                std::move(frame), *evaluator_, settings_, runSeed_ + 1000 * swarms_.size(),
-                [this](const Waypoints &valid, const Brightness &bright) { offer(valid, bright.cost); }));
-    }
-
-    void MFA::fly(const ob::PlannerTerminationCondition &ptc)
-    {
-        if (swarms_.empty())
-            return;
-        Swarm &swarm = *swarms_[activeSwarm_];
-        const std::uint64_t before = swarm.evaluations();
-        const unsigned int generation = swarm.fireflies().generation();
-        const bool completed = swarm.step(
-            [&]
-            {
-                ++evaluations_;
-                return evaluator_->interrupted() || ptc();
-            });
-        evaluations_ += swarm.evaluations() - before;
-        if (!completed)
-            return;
-        if (swarm.fireflies().generation() != generation)
-            ++iterations_;
-        if (swarm.fireflies().generation() >= settings_.generations)
-            activeSwarm_ = (activeSwarm_ + 1) % swarms_.size();
+        const std::size_t part = sharing_.next(available);
+        const std::uint64_t before = evaluator_->work();
+        const bool hadPath = incumbent_->hasPath();
+        const double cost = incumbent_->cost();
+        // turns grow with the work done, so that no part spends its time beginning
+        takeTurn(static_cast<Part>(part), std::clamp(before / 20, SHORTEST_TURN, LONGEST_TURN));
+        double gain = 0.0;
+        if (hadPath)
+            gain = std::abs(cost - incumbent_->cost()) / std::max(std::abs(cost), 1e-12);
+        const auto work = static_cast<double>(evaluator_->work() - before + 1);
+        partWork_[part] += work;
+        sharing_.record(part, work, std::min(gain, 1.0));
     }
 
     void MFA::offer(const Waypoints &path, double cost)
@@ -200,6 +163,7 @@ namespace ompl_mfa
         if (!incumbent_->offer(path, cost))
             return;
         evaluator_->setPartialPathEvent({});
+        tighteningStale_ = true;
         publish();
     }
 

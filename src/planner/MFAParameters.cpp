@@ -12,6 +12,9 @@ namespace ompl_mfa
     namespace
     {
         constexpr unsigned int MAX_SLICES = 1000;
+        /* Fireflies of the paper, and of a swarm that other parts assist. */
+        constexpr unsigned int PAPER_POPULATION = 100;
+        constexpr unsigned int POPULATION = 30;
 
         FireflyOptimizer::Settings validated(const FireflyOptimizer::Settings &settings)
         {
@@ -37,12 +40,15 @@ namespace ompl_mfa
                 [this, getter] { return (this->*getter)(); }, range));
         };
         declare("variant", &MFA::setVariant, &MFA::getVariant, "mfa,fa");
-        declare("population_size", &MFA::setPopulationSize, &MFA::getPopulationSize, "4:1:10000");
+        declare("population_size", &MFA::setPopulationSize, &MFA::getPopulationSize, "0:1:10000");
         declare("slices", &MFA::setSlices, &MFA::getSlices, "1:1:1000");
         declare("generations", &MFA::setGenerations, &MFA::getGenerations, "1:1:100000");
         declare("gamma", &MFA::setGamma, &MFA::getGamma, "0.0:0.01:100.0");
         declare("alpha", &MFA::setAlpha, &MFA::getAlpha, "0.0:0.01:1.0");
         declare("eta", &MFA::setEta, &MFA::getEta, "0.0:0.01:2.0");
+        declare("guide", &MFA::setGuide, &MFA::getGuide, "none,trees,roadmap,both");
+        declare("recombination", &MFA::setRecombination, &MFA::getRecombination, "0,1");
+        declare("tightening", &MFA::setTightening, &MFA::getTightening, "0,1");
         declare("seed", &MFA::setSeed, &MFA::getSeed, "0:1:4294967295");
     }
 
@@ -66,13 +72,26 @@ namespace ompl_mfa
     void MFA::setPopulationSize(unsigned int size)
     {
         auto settings = settings_;
-        settings.populationSize = size;
-        settings_ = validated(settings);
+        if (size != 0)
+            settings.populationSize = size;
+        validated(settings);
+        populationSize_ = size;
     }
 
     unsigned int MFA::getPopulationSize() const
     {
-        return settings_.populationSize;
+        return populationSize_;
+    }
+
+    FireflyOptimizer::Settings MFA::swarmSettings() const
+    {
+        const bool paper = !useTrees_ && !useRoadmap_ && !useRecombination_ && !useTightening_;
+        auto settings = settings_;
+        if (populationSize_ != 0)
+            settings.populationSize = populationSize_;
+        else
+            settings.populationSize = paper ? PAPER_POPULATION : POPULATION;
+        return settings;
     }
 
     void MFA::setSlices(unsigned int slices)
@@ -134,6 +153,41 @@ namespace ompl_mfa
     double MFA::getEta() const
     {
         return settings_.eta;
+    }
+
+    void MFA::setGuide(const std::string &guide)
+    {
+        if (guide != "none" && guide != "trees" && guide != "roadmap" && guide != "both")
+            throw ompl::Exception("MFA", "guide = '" + guide + "': accepted are none, trees, roadmap and both");
+        useTrees_ = guide == "trees" || guide == "both";
+        useRoadmap_ = guide == "roadmap" || guide == "both";
+    }
+
+    std::string MFA::getGuide() const
+    {
+        if (useTrees_)
+            return useRoadmap_ ? "both" : "trees";
+        return useRoadmap_ ? "roadmap" : "none";
+    }
+
+    void MFA::setRecombination(bool recombination)
+    {
+        useRecombination_ = recombination;
+    }
+
+    bool MFA::getRecombination() const
+    {
+        return useRecombination_;
+    }
+
+    void MFA::setTightening(bool tightening)
+    {
+        useTightening_ = tightening;
+    }
+
+    bool MFA::getTightening() const
+    {
+        return useTightening_;
     }
 
     void MFA::setSeed(std::uint32_t seed)

@@ -1,5 +1,7 @@
 /* What MFA tells of its search: planner data, the swarm's paths and its slices. */
 
+#include <numeric>
+
 #include <ompl/base/PlannerData.h>
 
 #include "ompl_mfa/planner/MFA.h"
@@ -32,7 +34,12 @@ namespace ompl_mfa
         // planner data point to states of the planner: these copies live until the next call
         plannerDataPaths_.clear();
         std::vector<bool> checked;
+        std::vector<const Swarm *> swarms;
         for (const auto &swarm : swarms_)
+            swarms.push_back(swarm.get());
+        if (curvedSwarm_)
+            swarms.push_back(curvedSwarm_.get());
+        for (const Swarm *swarm : swarms)
         {
             const FireflyOptimizer &fireflies = swarm->fireflies();
             for (const unsigned int i : fireflies.order())
@@ -51,13 +58,23 @@ namespace ompl_mfa
             addPath(plannerDataPaths_[i], checked[i], data);
     }
 
+    std::vector<double> MFA::shares() const
+    {
+        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        const double sum = std::accumulate(partWork_.begin(), partWork_.end(), 0.0);
+        std::vector<double> shares = partWork_;
+        for (double &share : shares)
+            share = sum > 0.0 ? share / sum : 0.0;
+        return shares;
+    }
+
     std::vector<og::PathGeometric> MFA::getSwarmPaths() const
     {
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
         std::vector<og::PathGeometric> paths;
-        if (swarms_.empty())
+        if (activeSwarm_ == nullptr)
             return paths;
-        const Swarm &swarm = *swarms_[activeSwarm_];
+        const Swarm &swarm = *activeSwarm_;
         Waypoints waypoints(si_->getStateSpace());
         for (const unsigned int i : swarm.fireflies().order())
         {
@@ -73,9 +90,9 @@ namespace ompl_mfa
     {
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
         std::vector<og::PathGeometric> paths;
-        if (swarms_.empty())
+        if (activeSwarm_ == nullptr)
             return paths;
-        const SliceFrame &frame = swarms_[activeSwarm_]->frame();
+        const SliceFrame &frame = activeSwarm_->frame();
         Waypoints ends(si_->getStateSpace());
         ends.resize(2);
         for (std::size_t k = 0; k < frame.slices(); ++k)

@@ -49,8 +49,14 @@ namespace ompl_mfa
             return interrupted_;
         }
 
+        /** \brief Asks the stop condition, for searches that may go on long without checking a motion. */
+        bool stopped();
+
         /** \brief The cost of \e path (at least one state), as ompl::geometric::PathGeometric::cost has it. */
-        ompl::base::Cost cost(const Waypoints &path) const;
+        ompl::base::Cost cost(const Waypoints &path);
+
+        /** \brief Whether \e state is within the bounds and valid. */
+        bool checkState(const ompl::base::State *state);
 
         /** \brief Whether the motion is valid; \e from is taken to be a valid state. */
         bool checkMotion(const ompl::base::State *from, const ompl::base::State *to);
@@ -74,10 +80,17 @@ namespace ompl_mfa
             std::function<void(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid)>;
         void setPartialPathEvent(PartialPathEvent event);
 
-        /** \brief Work done so far: states whose validity was asked for, counted by the resolution of each motion. */
-        std::uint64_t stateChecks() const
+        /** \brief Work done so far, in state checks: states whose validity was asked for, counted by the resolution of
+            each motion, and what else was added. Unlike time it is the same in every run. */
+        std::uint64_t work() const
         {
-            return stateChecks_;
+            return work_;
+        }
+
+        /** \brief Counts work that is not a state check, as so many of them. */
+        void addWork(std::uint64_t work)
+        {
+            work_ += work;
         }
 
     private:
@@ -89,7 +102,7 @@ namespace ompl_mfa
         StopCondition stop_;
         PartialPathEvent partialPath_;
         ompl::base::State *scratch_;
-        std::uint64_t stateChecks_{0};
+        std::uint64_t work_{0};
         std::size_t lastInvalid_{0};
         bool interrupted_{false};
     };

@@ -19,6 +19,10 @@ namespace ompl_mfa
 
         SliceObjective(const SliceFrame &frame, PathEvaluator &evaluator, ValidPathEvent validPath);
 
+        /** \brief From now on a path must be better than \e bound to be of any use: one that is not is not checked for
+            collision, and is dimmer than any that is, by its distance from the bound. Infinite: no bound. */
+        void setBound(double bound);
+
         Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) override;
         bool isBrighter(const Brightness &a, const Brightness &b) const override;
 
@@ -27,6 +31,8 @@ namespace ompl_mfa
         PathEvaluator &evaluator_;
         ValidPathEvent validPath_;
         Waypoints path_;
+        double bound_;
+        double beyondBound_;  ///< larger than the violation of any path that keeps to the bound
     };
 }  // namespace ompl_mfa
 

@@ -13,11 +13,15 @@
 
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 #include "ompl_mfa/path/PathEvaluator.h"
+#include "ompl_mfa/path/PathTightening.h"
 #include "ompl_mfa/path/SliceFrame.h"
 #include "ompl_mfa/path/StateChart.h"
 #include "ompl_mfa/planner/Incumbent.h"
 #include "ompl_mfa/planner/Query.h"
+#include "ompl_mfa/planner/RoadmapGuide.h"
 #include "ompl_mfa/planner/Swarm.h"
+#include "ompl_mfa/planner/TreeGuide.h"
+#include "ompl_mfa/planner/TurnSharing.h"
 
 namespace ompl_mfa
 {
@@ -26,7 +30,13 @@ namespace ompl_mfa
         A path is one point on each of a fixed number of slices across the axis from start to goal. A swarm of
         fireflies, each a path, moves through the space of these coordinates: every firefly flies to the brighter
         ones, brighter being collision-free before colliding and then of better cost, while the random part of its
-        flight and the attraction shrink over an epoch of generations. */
+        flight and the attraction shrink over an epoch of generations.
+
+        Other parts take turns with the fireflies, by what each gains for its work: recombination splices the paths of a
+        swarm into better ones, guides (restarting trees and a growing roadmap) find the homotopy classes that slices
+        across a straight axis cannot express, and tightening refines what the others find; a further swarm flies on
+        slices across the best paths. With guide = none, recombination = 0 and tightening = 0 the planner is the
+        algorithm of the paper. */
     class MFA : public ompl::base::Planner
     {
     public:
@@ -60,6 +70,12 @@ namespace ompl_mfa
         double getAlpha() const;
         void setEta(double eta);
         double getEta() const;
+        void setGuide(const std::string &guide);
+        std::string getGuide() const;
+        void setRecombination(bool recombination);
+        bool getRecombination() const;
+        void setTightening(bool tightening);
+        bool getTightening() const;
         void setSeed(std::uint32_t seed);
         std::uint32_t getSeed() const;
         /** @} */
@@ -77,19 +93,46 @@ namespace ompl_mfa
         /** \brief Firefly generations so far. Safe to call while solve() runs. */
         std::uint64_t iterations() const;
 
+        /** \brief The share of each part in the work so far, in (0, 1): fireflies, recombination, tightening, trees and
+            roadmap. */
+        std::vector<double> shares() const;
+
         /** \brief Path evaluations so far. Safe to call while solve() runs. */
         std::uint64_t evaluations() const;
 
     private:
+        /* The parts of the search, which take turns; also their numbers in sharing_. */
+        enum Part : std::size_t
+        {
+            FIREFLIES,
+            RECOMBINATION,
+            TIGHTENING,
+            TREES,
+            ROADMAP,
+            PARTS
+        };
+
         void declareParameters();
+        FireflyOptimizer::Settings swarmSettings() const;
         ompl::base::PlannerStatus::StatusType begin(const ompl::base::PlannerTerminationCondition &ptc);
         void prepareQuery();
+        void prepareParts();
+        void forgetParts();
         bool finished(const ompl::base::PlannerTerminationCondition &ptc) const;
         bool provenOptimal() const;
         void iterate(const ompl::base::PlannerTerminationCondition &ptc);
+        std::vector<bool> availableParts() const;
+        void takeTurn(Part part, std::uint64_t work);
         void tryStraightMotions();
         void tryStraightMotion(const ompl::base::State *start, const ompl::base::State *goal);
-        void fly(const ompl::base::PlannerTerminationCondition &ptc);
+        void chooseSwarm();
+        void layCurvedFrame();
+        Waypoints curvedAxis(const Waypoints &path) const;
+        void fly(std::uint64_t work);
+        void recombine(std::uint64_t work);
+        void tighten(std::uint64_t work);
+        void follow(Guide &guide, std::uint64_t work);
+        void offerTightened(const Waypoints &path);
         void offer(const Waypoints &path, double cost);
         void publish();
         void offerPartial(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
@@ -100,8 +143,24 @@ namespace ompl_mfa
         std::unique_ptr<PathEvaluator> evaluator_;
         std::unique_ptr<Query> query_;
         std::unique_ptr<Incumbent> incumbent_;
-        std::vector<std::unique_ptr<Swarm>> swarms_;
-        std::size_t activeSwarm_{0};
+
+        std::vector<std::unique_ptr<Swarm>> swarms_;  ///< over straight frames, one for each of the first pairs
+        std::unique_ptr<Swarm> curvedSwarm_;          ///< around the best path or an alternative
+        Swarm *activeSwarm_{nullptr};
+        std::size_t nextSwarm_{0};
+        double reach_{0.0};       ///< of the next curved frame, in parts of the path's length
+        double curvedCost_{0.0};  ///< cost of the best path when the curved frame was laid
+        std::vector<Waypoints> alternatives_;
+        std::size_t nextAxis_{0};
+
+        std::unique_ptr<TreeGuide> trees_;
+        std::unique_ptr<RoadmapGuide> roadmap_;
+        std::unique_ptr<PathTightening> tightening_;     ///< of the best path
+        std::unique_ptr<PathTightening> newTightening_;  ///< of a path that a guide or a splice came upon
+        bool tighteningStale_{false};
+        TurnSharing sharing_;
+        std::vector<double> partWork_;
+
         std::size_t triedStarts_{0};  ///< starts whose straight motions to all goals were tried
         std::size_t triedGoals_{0};   ///< goals whose straight motions from all starts were tried
         bool published_{false};       ///< whether this solve() has handed the best path to the problem definition
@@ -110,8 +169,13 @@ namespace ompl_mfa
         mutable std::vector<Waypoints> plannerDataPaths_;
 
         FireflyOptimizer::Settings settings_;
+        unsigned int populationSize_{0};
         unsigned int slices_{12};
         std::uint32_t seed_{0};
+        bool useTrees_{true};
+        bool useRoadmap_{true};
+        bool useRecombination_{true};
+        bool useTightening_{true};
 
         mutable std::recursive_mutex mutex_;  ///< held while the search changes; its callbacks may ask for planner data
         std::atomic<std::uint64_t> iterations_{0};

@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
 #include "ompl_mfa/path/SliceFrame.h"
+#include "ompl_mfa/path/SliceGraph.h"
 #include "ompl_mfa/path/SliceObjective.h"
 
 namespace ompl_mfa
@@ -24,9 +26,20 @@ namespace ompl_mfa
             generation. */
         void inject(const Waypoints &path);
 
+        /** \brief As SliceObjective::setBound. */
+        void setBound(double bound)
+        {
+            objective_.setBound(bound);
+        }
+
         /** \brief One generation, as FireflyOptimizer::step. After the last generation of an epoch the next begins
             with the brightest fifth of the old swarm among new random fireflies. */
         bool step(const FireflyOptimizer::StopCondition &stop);
+
+        /** \brief Recombination: searches the graph of the fireflies' points, of \e path (one state on each slice; may
+           be empty) and of fresh states on the slices for a path better than \e bound, within about \e work units of
+            PathEvaluator::work(). True with the path in \e found. */
+        bool recombine(const Waypoints &path, double bound, std::uint64_t work, Waypoints &found);
 
         const SliceFrame &frame() const
         {
@@ -55,6 +68,10 @@ namespace ompl_mfa
 
         SliceFrame frame_;
         SliceObjective objective_;
+        SliceGraph graph_;
+        RandomSource random_;
+        Waypoints point_;
+        Eigen::VectorXd coordinates_;
         std::uint64_t seed_;
         std::unique_ptr<FireflyOptimizer> fireflies_;
         unsigned int epoch_{0};

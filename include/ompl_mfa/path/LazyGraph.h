@@ -1,0 +1,124 @@
+#ifndef OMPL_MFA_PATH_LAZY_GRAPH_
+#define OMPL_MFA_PATH_LAZY_GRAPH_
+
+#include <cstdint>
+#include <vector>
+
+#include "ompl_mfa/path/PathEvaluator.h"
+#include "ompl_mfa/path/Waypoints.h"
+
+namespace ompl_mfa
+{
+    /** \brief A directed graph of states, whose states and motions are checked for collision only when a search comes
+       to need them, and never twice.
+
+        A search for a path better than a bound makes one backward pass that ignores unchecked collisions, which gives
+        an exact cost-to-go of what is known, and then goes forward best first; a motion is checked when it is the most
+        promising one left. When many have turned out invalid, the cost-to-go is computed anew. */
+    class LazyGraph
+    {
+    public:
+        explicit LazyGraph(PathEvaluator &evaluator);
+
+        /** \brief Removes all vertices and edges; memory is kept. */
+        void clear();
+
+        /** \brief Adds a copy of \e state, not yet checked unless \e valid, and returns its number: 0, 1, ... */
+        std::size_t addVertex(const ompl::base::State *state, bool valid);
+
+        void setStart(std::size_t vertex);
+        void setGoal(std::size_t vertex);
+
+        /** \brief Adds the motion \e from -> \e to, not yet checked. With \e bothWays also the reverse, which is taken
+           to have the same cost and validity. */
+        void addEdge(std::size_t from, std::size_t to, bool bothWays);
+
+        std::size_t size() const
+        {
+            return vertices_.size();
+        }
+
+        const ompl::base::State *state(std::size_t vertex) const
+        {
+            return states_[vertex];
+        }
+
+        /** \brief Finds the best path from a start to a goal if it is better than \e bound (infinite: any). Stops after
+            about \e work units of PathEvaluator::work(), or when the evaluator is interrupted; what was checked is
+           kept. Returns true with the path in \e path. */
+        bool search(double bound, std::uint64_t work, Waypoints &path);
+
+        /** \brief Whether the last search ended because no better path is left in the graph. */
+        bool exhausted() const
+        {
+            return exhausted_;
+        }
+
+    private:
+        enum class Validity : std::uint8_t
+        {
+            Unknown,
+            Valid,
+            Invalid
+        };
+
+        /* A motion; its reverse, if the motion serves both ways, has the same check. */
+        struct Edge
+        {
+            std::size_t from;
+            std::size_t to;
+            std::size_t check;  ///< into checks_
+            double cost;
+        };
+
+        struct Vertex
+        {
+            std::vector<std::size_t> out;  ///< edges
+            std::vector<std::size_t> in;
+            double costToCome;
+            double costToGo;
+            std::size_t parent;  ///< edge
+            bool reached;
+            bool reaches;  ///< whether costToGo is known
+            bool goal;
+            Validity validity;
+        };
+
+        struct QueueEntry
+        {
+            double key;
+            std::size_t index;
+        };
+
+        enum class Outcome
+        {
+            Found,
+            Exhausted,
+            Stale,
+            Stopped
+        };
+
+        bool better(double a, double b) const;
+        double combine(double a, double b) const;
+        bool canBeat(double cost, double bound) const;
+        void push(std::vector<QueueEntry> &queue, QueueEntry entry) const;
+        QueueEntry pop(std::vector<QueueEntry> &queue) const;
+        void backward(double bound);
+        Outcome forward(double bound, std::uint64_t limit, std::size_t &goal);
+        bool checkEdge(const Edge &edge);
+        void expand(std::size_t vertex, double bound);
+        void extract(std::size_t goal, Waypoints &path) const;
+
+        PathEvaluator &evaluator_;
+        Waypoints states_;
+        std::vector<Vertex> vertices_;
+        std::vector<Edge> edges_;
+        std::vector<Validity> checks_;
+        std::vector<std::size_t> starts_;
+        std::vector<std::size_t> goals_;
+        std::vector<QueueEntry> queue_;
+        bool exhausted_{false};
+    };
+}  // namespace ompl_mfa
+
+#endif

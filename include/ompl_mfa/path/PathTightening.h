@@ -1,0 +1,101 @@
+#ifndef OMPL_MFA_PATH_PATH_TIGHTENING_
+#define OMPL_MFA_PATH_PATH_TIGHTENING_
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <ompl/util/RandomNumbers.h>
+
+#include "ompl_mfa/path/PathEvaluator.h"
+#include "ompl_mfa/path/StateChart.h"
+#include "ompl_mfa/path/VertexSearch.h"
+#include "ompl_mfa/path/Waypoints.h"
+
+namespace ompl_mfa
+{
+    /** \brief Local refinement of a valid path, for any objective: shortcuts, removal of vertices, pulling a vertex
+       toward the chord of its neighbours, random steps of a vertex, cutting of corners.
+
+        Each step replaces a few consecutive motions by others of better combined cost; cost is asked first, validity
+        only for what would win. Every motion of the resulting path was checked as it stands there. Steps of vertices
+        adapt their size to what succeeds. */
+    class PathTightening
+    {
+    public:
+        /** \brief \e evaluator outlives the object. */
+        PathTightening(StateChartPtr chart, PathEvaluator &evaluator, std::uint_fast32_t seed);
+        ~PathTightening();
+        PathTightening(const PathTightening &) = delete;
+        PathTightening &operator=(const PathTightening &) = delete;
+
+        /** \brief Takes up a copy of \e path, whose motions are all valid. */
+        void begin(const Waypoints &path);
+
+        /** \brief Refines for about \e work units of PathEvaluator::work(), or until converged() or interrupted.
+           Returns whether the path changed. */
+        bool advance(std::uint64_t work);
+
+        const Waypoints &path() const
+        {
+            return path_;
+        }
+
+        /** \brief Whether the last rounds gained next to nothing. More of them still may, but rarely. */
+        bool converged() const
+        {
+            return converged_;
+        }
+
+    private:
+        /* How the next steps of a vertex are made. */
+        struct Step
+        {
+            explicit Step(VertexSearch randomSteps)
+              : search(std::move(randomSteps))
+            {
+            }
+
+            VertexSearch search;
+            double pull{0.5};          ///< part of the way to the chord
+            double partPull{1.0};      ///< the same when only some coordinates move
+            bool partWorked{false};    ///< whether mask and normal led to a better path last time
+            Eigen::VectorXd mask{};    ///< 1 for each coordinate that moves
+            Eigen::VectorXd normal{};  ///< direction that is left out, or zero
+        };
+
+        Step firstStep(std::size_t i) const;
+        void round();
+        bool shortcut();
+        void removeVertices();
+        bool remove(std::size_t i);
+        bool pull(std::size_t i);
+        void selectPart(Step &step);
+        bool pullPart(std::size_t i);
+        bool perturb(std::size_t i);
+        bool refineWorstCorner();
+        bool cutCorner(std::size_t i);
+        bool replaceVertex(std::size_t i, const ompl::base::State *state);
+        ompl::base::Cost localCost(const ompl::base::State *a, const ompl::base::State *b,
+                                   const ompl::base::State *c) const;
+        double smallestStep() const;
+        void insertVertex(std::size_t i, const ompl::base::State *state);
+        void eraseVertices(std::size_t first, std::size_t last);
+
+        StateChartPtr chart_;
+        PathEvaluator &evaluator_;
+        ompl::RNG rng_;
+        Waypoints path_;
+        std::vector<Step> steps_;
+        ompl::base::State *a_;
+        ompl::base::State *b_;
+        Eigen::VectorXd delta_;
+        std::uint64_t workLimit_{0};
+        bool converged_{true};
+        unsigned int idleRounds_{0};
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef OMPL_MFA_PATH_VERTEX_SEARCH_
+#define OMPL_MFA_PATH_VERTEX_SEARCH_
+
+#include <Eigen/Core>
+
+#include <ompl/util/RandomNumbers.h>
+
+namespace ompl_mfa
+{
+    /** \brief Random steps of one vertex of a path whose distribution learns from what became of them: a (1+1)-CMA-ES
+        that shrinks its steps across the constraints it runs into.
+
+        D. V. Arnold and N. Hansen, A (1+1)-CMA-ES for constrained optimisation, GECCO 2012; its equations and
+        constants. */
+    class VertexSearch
+    {
+    public:
+        /** \brief Steps in R^d, d >= 1, of first deviation \e sigma > 0. */
+        VertexSearch(Eigen::Index dimension, double sigma);
+
+        double sigma() const
+        {
+            return sigma_;
+        }
+
+        void setSigma(double sigma)
+        {
+            sigma_ = sigma;
+        }
+
+        /** \brief Draws a step (d). One of the three below is to tell what became of it. */
+        void draw(ompl::RNG &rng, Eigen::Ref<Eigen::VectorXd> step);
+
+        /** \brief The step was taken: it is valid and better. */
+        void succeeded();
+
+        /** \brief The step is no better. */
+        void failed();
+
+        /** \brief The step would be better but is not valid. */
+        void violated();
+
+    private:
+        void adaptSigma(bool success);
+
+        double sigma_;
+        double successRate_;
+        Eigen::MatrixXd factor_;          ///< A with covariance A A^T, d x d
+        Eigen::VectorXd normal_;          ///< z, the last standard normal vector
+        Eigen::VectorXd direction_;       ///< A z
+        Eigen::VectorXd evolutionPath_;   ///< s
+        Eigen::VectorXd constraintPath_;  ///< v
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,78 @@
+#ifndef OMPL_MFA_PLANNER_TREE_GUIDE_
+#define OMPL_MFA_PLANNER_TREE_GUIDE_
+
+#include <memory>
+#include <vector>
+
+#include <ompl/base/Planner.h>
+#include <ompl/datastructures/NearestNeighbors.h>
+
+#include "ompl_mfa/path/PathEvaluator.h"
+#include "ompl_mfa/path/StateChart.h"
+#include "ompl_mfa/planner/Guide.h"
+#include "ompl_mfa/planner/InformedSampler.h"
+
+namespace ompl_mfa
+{
+    /** \brief Two trees, from the starts and from the goals, that grow toward each other (RRT-Connect); once they met,
+        they begin anew within the informed set, so that other homotopy classes get their chance.
+
+        J. J. Kuffner and S. M. LaValle, RRT-Connect: An efficient approach to single-query path planning, ICRA 2000.
+        It is not a call of OMPL's planner because it has to draw its states from the seed of the run, to stop between
+        two motion checks, and to count its work. */
+    class TreeGuide : public Guide
+    {
+    public:
+        /** \brief \e planner tells which nearest-neighbour structure suits the space. \e evaluator outlives it. */
+        TreeGuide(const ompl::base::Planner *planner, StateChartPtr chart, PathEvaluator &evaluator,
+                  std::uint_fast32_t seed);
+        ~TreeGuide() override;
+        TreeGuide(const TreeGuide &) = delete;
+        TreeGuide &operator=(const TreeGuide &) = delete;
+
+        bool advance(const Query &query, double bound, std::uint64_t work, Waypoints &path) override;
+
+    private:
+        struct Vertex
+        {
+            ompl::base::State *state;
+            const Vertex *parent;
+        };
+
+        struct Tree
+        {
+            std::shared_ptr<ompl::NearestNeighbors<Vertex *>> nearest;
+            std::vector<std::unique_ptr<Vertex>> vertices;
+            std::size_t roots{0};  ///< how many of the query's states it was given
+        };
+
+        enum class Extension
+        {
+            Trapped,
+            Advanced,
+            Reached
+        };
+
+        void restart();
+        void freeVertices(Tree &tree);
+        Vertex *addVertex(Tree &tree, const ompl::base::State *state, const Vertex *parent);
+        void addRoots(const Query &query);
+        Vertex *nearest(Tree &tree, const ompl::base::State *state, bool fromStart);
+        Extension extend(Tree &tree, bool fromStart, const ompl::base::State *target, Vertex *&added);
+        bool iterate(const Query &query, double bound, Waypoints &path);
+        void join(const Vertex *fromStart, const Vertex *fromGoal, Waypoints &path) const;
+
+        StateChartPtr chart_;
+        PathEvaluator &evaluator_;
+        InformedSampler sampler_;
+        Tree startTree_;
+        Tree goalTree_;
+        bool startsTurn_{true};
+        double range_;
+        ompl::base::State *sample_;
+        ompl::base::State *step_;
+        Vertex probe_;
+    };
+}  // namespace ompl_mfa
+
+#endif

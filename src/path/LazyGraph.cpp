@@ -1,0 +1,252 @@
+#include "ompl_mfa/path/LazyGraph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
+        /* Edges found invalid in one forward search before the cost-to-go is computed anew. */
+        constexpr unsigned int STALE_AFTER = 24;
+        /* Edges that a search handles for the price of one state check. */
+        constexpr std::uint64_t EDGES_PER_WORK = 2;
+    }  // namespace
+
+    LazyGraph::LazyGraph(PathEvaluator &evaluator)
+      : evaluator_(evaluator)
+      , states_(evaluator.spaceInformation()->getStateSpace())
+    {
+    }
+
+    void LazyGraph::clear()
+    {
+        states_.clear();
+        vertices_.clear();
+        edges_.clear();
+        checks_.clear();
+        starts_.clear();
+        goals_.clear();
+    }
+
+    std::size_t LazyGraph::addVertex(const ob::State *state, bool valid)
+    {
+        states_.append(state);
+        vertices_.push_back({{}, {}, 0.0, 0.0, NONE, false, false, false, valid ? Validity::Valid : Validity::Unknown});
+        return vertices_.size() - 1;
+    }
+
+    void LazyGraph::setStart(std::size_t vertex)
+    {
+        starts_.push_back(vertex);
+    }
+
+    void LazyGraph::setGoal(std::size_t vertex)
+    {
+        vertices_[vertex].goal = true;
+        goals_.push_back(vertex);
+    }
+
+    void LazyGraph::addEdge(std::size_t from, std::size_t to, bool bothWays)
+    {
+        const double cost = evaluator_.objective()->motionCost(states_[from], states_[to]).value();
+        const auto add = [&](std::size_t a, std::size_t b)
+        {
+            vertices_[a].out.push_back(edges_.size());
+            vertices_[b].in.push_back(edges_.size());
+            edges_.push_back({a, b, checks_.size(), cost});
+        };
+        add(from, to);
+        if (bothWays)
+            add(to, from);
+        checks_.push_back(Validity::Unknown);
+    }
+
+    bool LazyGraph::better(double a, double b) const
+    {
+        return evaluator_.objective()->isCostBetterThan(ob::Cost(a), ob::Cost(b));
+    }
+
+    double LazyGraph::combine(double a, double b) const
+    {
+        return evaluator_.objective()->combineCosts(ob::Cost(a), ob::Cost(b)).value();
+    }
+
+    bool LazyGraph::canBeat(double cost, double bound) const
+    {
+        return std::isinf(bound) || better(cost, bound);
+    }
+
+    void LazyGraph::push(std::vector<QueueEntry> &queue, QueueEntry entry) const
+    {
+        queue.push_back(entry);
+        std::push_heap(queue.begin(), queue.end(),
+                       [this](const QueueEntry &a, const QueueEntry &b) { return better(b.key, a.key); });
+    }
+
+    LazyGraph::QueueEntry LazyGraph::pop(std::vector<QueueEntry> &queue) const
+    {
+        std::pop_heap(queue.begin(), queue.end(),
+                      [this](const QueueEntry &a, const QueueEntry &b) { return better(b.key, a.key); });
+        const QueueEntry entry = queue.back();
+        queue.pop_back();
+        return entry;
+    }
+
+    /* Cost-to-go of every vertex from which a goal can be reached by motions not known to be invalid. */
+    void LazyGraph::backward(double bound)
+    {
+        for (auto &vertex : vertices_)
+            vertex.reaches = false;
+        queue_.clear();
+        for (const std::size_t goal : goals_)
+        {
+            vertices_[goal].costToGo = evaluator_.objective()->terminalCost(states_[goal]).value();
+            vertices_[goal].reaches = true;
+            push(queue_, {vertices_[goal].costToGo, goal});
+        }
+        std::uint64_t handled = 0;
+        while (!queue_.empty())
+        {
+            const QueueEntry entry = pop(queue_);
+            if (better(vertices_[entry.index].costToGo, entry.key))
+                continue;
+            for (const std::size_t e : vertices_[entry.index].in)
+            {
+                const Edge &edge = edges_[e];
+                ++handled;
+                if (checks_[edge.check] == Validity::Invalid)
+                    continue;
+                const double cost = combine(edge.cost, entry.key);
+                Vertex &vertex = vertices_[edge.from];
+                if (vertex.validity == Validity::Invalid || (vertex.reaches && !better(cost, vertex.costToGo)) ||
+                    !canBeat(cost, bound))
+                    continue;
+                vertex.reaches = true;
+                vertex.costToGo = cost;
+                push(queue_, {cost, edge.from});
+            }
+        }
+        evaluator_.addWork(1 + handled / EDGES_PER_WORK);
+    }
+
+    /* Checks the state at the end of a motion first: an invalid one rules out all motions to it at once. */
+    bool LazyGraph::checkEdge(const Edge &edge)
+    {
+        Vertex &to = vertices_[edge.to];
+        if (to.validity == Validity::Unknown)
+            to.validity = evaluator_.checkState(states_[edge.to]) ? Validity::Valid : Validity::Invalid;
+        return to.validity == Validity::Valid && evaluator_.checkMotion(states_[edge.from], states_[edge.to]);
+    }
+
+    void LazyGraph::expand(std::size_t v, double bound)
+    {
+        for (const std::size_t e : vertices_[v].out)
+        {
+            const Edge &edge = edges_[e];
+            const Vertex &to = vertices_[edge.to];
+            if (to.reached || !to.reaches || to.validity == Validity::Invalid ||
+                checks_[edge.check] == Validity::Invalid)
+                continue;
+            const double key = combine(combine(vertices_[v].costToCome, edge.cost), to.costToGo);
+            if (canBeat(key, bound))
+                push(queue_, {key, e});
+        }
+    }
+
+    LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit, std::size_t &goal)
+    {
+        for (auto &vertex : vertices_)
+            vertex.reached = false;
+        queue_.clear();
+        for (const std::size_t start : starts_)
+        {
+            Vertex &vertex = vertices_[start];
+            vertex.reached = true;
+            vertex.parent = NONE;
+            vertex.costToCome = evaluator_.objective()->initialCost(states_[start]).value();
+            expand(start, bound);
+        }
+        unsigned int invalid = 0;
+        std::uint64_t handled = 0;
+        while (!queue_.empty())
+        {
+            const std::size_t e = pop(queue_).index;
+            const Edge &edge = edges_[e];
+            if (++handled % EDGES_PER_WORK == 0)
+                evaluator_.addWork(1);
+            if (vertices_[edge.to].reached || vertices_[edge.to].validity == Validity::Invalid)
+                continue;
+            Validity &validity = checks_[edge.check];
+            if (validity == Validity::Unknown)
+            {
+                if (evaluator_.work() >= limit)
+                    return Outcome::Stopped;
+                const bool valid = checkEdge(edge);
+                if (evaluator_.interrupted())
+                    return Outcome::Stopped;
+                validity = valid ? Validity::Valid : Validity::Invalid;
+                invalid += valid ? 0 : 1;
+            }
+            if (validity == Validity::Invalid)
+            {
+                if (invalid >= STALE_AFTER)
+                    return Outcome::Stale;
+                continue;
+            }
+            Vertex &vertex = vertices_[edge.to];
+            vertex.reached = true;
+            vertex.parent = e;
+            vertex.costToCome = combine(vertices_[edge.from].costToCome, edge.cost);
+            if (vertex.goal)
+            {
+                goal = edge.to;
+                return Outcome::Found;
+            }
+            expand(edge.to, bound);
+        }
+        return Outcome::Exhausted;
+    }
+
+    void LazyGraph::extract(std::size_t goal, Waypoints &path) const
+    {
+        path.clear();
+        std::size_t vertex = goal;
+        path.append(states_[vertex]);
+        while (vertices_[vertex].parent != NONE)
+        {
+            vertex = edges_[vertices_[vertex].parent].from;
+            path.append(states_[vertex]);
+        }
+        path.reverse();
+    }
+
+    bool LazyGraph::search(double bound, std::uint64_t work, Waypoints &path)
+    {
+        const std::uint64_t limit = evaluator_.work() + work;
+        exhausted_ = false;
+        while (evaluator_.work() < limit && !evaluator_.stopped())
+        {
+            backward(bound);
+            std::size_t goal = NONE;
+            switch (forward(bound, limit, goal))
+            {
+                case Outcome::Found:
+                    extract(goal, path);
+                    return true;
+                case Outcome::Exhausted:
+                    exhausted_ = true;
+                    return false;
+                case Outcome::Stopped:
+                    return false;
+                case Outcome::Stale:
+                    break;
+            }
+        }
+        return false;
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,375 @@
+#include "ompl_mfa/path/PathTightening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* More vertices cost more than they gain: each has to be moved, and each motion checked. */
+        constexpr std::size_t MAX_VERTICES = 48;
+        /* A round that gains less than this part of the cost is idle. */
+        constexpr double IDLE_GAIN = 1e-5;
+        constexpr unsigned int IDLE_ROUNDS = 4;
+        constexpr unsigned int IDLE_ROUNDS_A_DIMENSION = 2;
+        /* First random step of a vertex, in parts of the distance to the nearer neighbour. */
+        constexpr double FIRST_STEP = 0.25;
+        /* Random steps are tried on cost this often before one is checked for validity. */
+        constexpr unsigned int COST_TRIES = 4;
+    }  // namespace
+
+    PathTightening::PathTightening(StateChartPtr chart, PathEvaluator &evaluator, std::uint_fast32_t seed)
+      : chart_(std::move(chart))
+      , evaluator_(evaluator)
+      , rng_(seed)
+      , path_(chart_->space())
+      , a_(chart_->space()->allocState())
+      , b_(chart_->space()->allocState())
+      , delta_(chart_->dimension())
+    {
+    }
+
+    PathTightening::~PathTightening()
+    {
+        chart_->space()->freeState(a_);
+        chart_->space()->freeState(b_);
+    }
+
+    void PathTightening::begin(const Waypoints &path)
+    {
+        path_ = path;
+        steps_.clear();
+        for (std::size_t i = 0; i < path_.size(); ++i)
+            steps_.push_back(firstStep(i));
+        converged_ = path_.size() < 2;
+        idleRounds_ = 0;
+    }
+
+    bool PathTightening::advance(std::uint64_t work)
+    {
+        workLimit_ = evaluator_.work() + work;
+        const ob::Cost first = evaluator_.cost(path_);
+        ob::Cost before = first;
+        while (path_.size() > 2 && evaluator_.work() < workLimit_ && !evaluator_.interrupted())
+        {
+            round();
+            const ob::Cost after = evaluator_.cost(path_);
+            const bool idle = !(std::abs(before.value() - after.value()) > IDLE_GAIN * std::abs(after.value()));
+            idleRounds_ = idle ? idleRounds_ + 1 : 0;
+            before = after;
+            if (idleRounds_ > 0 && evaluator_.work() < workLimit_)
+            {
+                const bool refined = refineWorstCorner();
+                const unsigned int enough =
+                    IDLE_ROUNDS + IDLE_ROUNDS_A_DIMENSION * static_cast<unsigned int>(chart_->dimension());
+                converged_ = idleRounds_ >= (refined ? 3 * enough : enough);
+            }
+        }
+        return evaluator_.objective()->isCostBetterThan(before, first);
+    }
+
+    void PathTightening::round()
+    {
+        const auto exhausted = [this] { return evaluator_.work() >= workLimit_ || evaluator_.interrupted(); };
+        removeVertices();
+        const std::size_t shortcuts = path_.size() > 2 ? 2 + path_.size() / 2 : 0;
+        for (std::size_t k = 0; k < shortcuts && !exhausted(); ++k)
+            shortcut();
+        for (std::size_t i = 1; i + 1 < path_.size() && !exhausted(); ++i)
+        {
+            if (pull(i))
+                pull(i);
+            for (Eigen::Index k = 0; k < std::min<Eigen::Index>(chart_->dimension(), 4); ++k)
+                pullPart(i);
+            perturb(i);
+        }
+    }
+
+    ob::Cost PathTightening::localCost(const ob::State *a, const ob::State *b, const ob::State *c) const
+    {
+        const auto &objective = evaluator_.objective();
+        return objective->combineCosts(objective->motionCost(a, b), objective->motionCost(b, c));
+    }
+
+    PathTightening::Step PathTightening::firstStep(std::size_t i) const
+    {
+        const auto &space = chart_->space();
+        double spacing = smallestStep();
+        if (i > 0 && i + 1 < path_.size())
+            spacing = std::max(
+                spacing, std::min(space->distance(path_[i - 1], path_[i]), space->distance(path_[i], path_[i + 1])));
+        return Step(VertexSearch(chart_->dimension(),
+                                 FIRST_STEP * spacing / std::sqrt(static_cast<double>(chart_->dimension()))));
+    }
+
+    void PathTightening::insertVertex(std::size_t i, const ob::State *state)
+    {
+        path_.insert(i, state);
+        steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(i), firstStep(i));
+    }
+
+    void PathTightening::eraseVertices(std::size_t first, std::size_t last)
+    {
+        path_.erase(first, last);
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(first),
+                     steps_.begin() + static_cast<std::ptrdiff_t>(last));
+    }
+
+    void PathTightening::removeVertices()
+    {
+        for (std::size_t i = 1; i + 1 < path_.size();)
+        {
+            if (evaluator_.work() >= workLimit_ || !remove(i))
+                ++i;
+        }
+    }
+
+    bool PathTightening::remove(std::size_t i)
+    {
+        // where the chord is far better than the corner, it is blocked more often than not: ask for it rarely
+        const auto &objective = evaluator_.objective();
+        const ob::Cost chord = objective->motionCost(path_[i - 1], path_[i + 1]);
+        const ob::Cost corner = localCost(path_[i - 1], path_[i], path_[i + 1]);
+        evaluator_.addWork(1);
+        if (objective->isCostBetterThan(corner, chord))
+            return false;
+        if (steps_[i].pull < 0.3 && rng_.uniform01() > 0.1)
+            return false;
+        if (!evaluator_.checkMotion(path_[i - 1], path_[i + 1]))
+            return false;
+        eraseVertices(i, i + 1);
+        return true;
+    }
+
+    /* Joins two points of the path, vertices or points within motions, by one motion. */
+    bool PathTightening::shortcut()
+    {
+        const auto &space = chart_->space();
+        const auto &objective = evaluator_.objective();
+        const auto motions = static_cast<int>(path_.size()) - 1;
+        int i = rng_.uniformInt(0, motions - 1);
+        int j = rng_.uniformInt(0, motions - 1);
+        if (i == j)
+            return false;
+        if (i > j)
+            std::swap(i, j);
+        const auto first = static_cast<std::size_t>(i);
+        const auto last = static_cast<std::size_t>(j);
+        // half of the shortcuts begin or end in a vertex, which adds no new one
+        const bool fromVertex = rng_.uniform01() < 0.5 || path_.size() >= MAX_VERTICES;
+        const bool toVertex = rng_.uniform01() < 0.5 || path_.size() >= MAX_VERTICES;
+        if (fromVertex && toVertex && last == first + 1 && last == path_.size() - 1)
+            return false;
+        space->interpolate(path_[first], path_[first + 1], fromVertex ? 0.0 : rng_.uniform01(), a_);
+        space->interpolate(path_[last], path_[last + 1], toVertex ? 1.0 : rng_.uniform01(), b_);
+        space->enforceBounds(a_);
+        space->enforceBounds(b_);
+        if (fromVertex)
+            space->copyState(a_, path_[first]);
+        if (toVertex)
+            space->copyState(b_, path_[last + 1]);
+
+        ob::Cost old = objective->motionCost(path_[first], path_[first + 1]);
+        for (std::size_t k = first + 1; k <= last; ++k)
+            old = objective->combineCosts(old, objective->motionCost(path_[k], path_[k + 1]));
+        ob::Cost fresh = objective->motionCost(a_, b_);
+        if (!fromVertex)
+            fresh = objective->combineCosts(objective->motionCost(path_[first], a_), fresh);
+        if (!toVertex)
+            fresh = objective->combineCosts(fresh, objective->motionCost(b_, path_[last + 1]));
+        evaluator_.addWork(last - first + 3);
+        if (!objective->isCostBetterThan(fresh, old))
+            return false;
+        if (!evaluator_.checkMotion(a_, b_) || (!fromVertex && !evaluator_.checkMotion(path_[first], a_)) ||
+            (!toVertex && !evaluator_.checkMotion(b_, path_[last + 1])))
+            return false;
+        eraseVertices(first + 1, last + 1);
+        if (!toVertex)
+            insertVertex(first + 1, b_);
+        if (!fromVertex)
+            insertVertex(first + 1, a_);
+        return true;
+    }
+
+    bool PathTightening::replaceVertex(std::size_t i, const ob::State *state)
+    {
+        const auto &objective = evaluator_.objective();
+        evaluator_.addWork(2);
+        if (!objective->isCostBetterThan(localCost(path_[i - 1], state, path_[i + 1]),
+                                         localCost(path_[i - 1], path_[i], path_[i + 1])))
+            return false;
+        if (!evaluator_.checkMotion(path_[i - 1], state) || !evaluator_.checkMotion(state, path_[i + 1]))
+            return false;
+        chart_->space()->copyState(path_[i], state);
+        return true;
+    }
+
+    double PathTightening::smallestStep() const
+    {
+        return 1e-6 * chart_->space()->distance(path_.front(), path_.back()) + 1e-12;
+    }
+
+    bool PathTightening::pull(std::size_t i)
+    {
+        const auto &space = chart_->space();
+        const double before = space->distance(path_[i - 1], path_[i]);
+        const double after = space->distance(path_[i], path_[i + 1]);
+        if (before + after <= 0.0)
+            return false;
+        space->interpolate(path_[i - 1], path_[i + 1], before / (before + after), b_);
+        space->enforceBounds(b_);
+        if (steps_[i].pull * space->distance(path_[i], b_) < smallestStep())
+        {
+            steps_[i].pull = std::min(1.0, 8.0 * steps_[i].pull);
+            return false;
+        }
+        space->interpolate(path_[i], b_, steps_[i].pull, a_);
+        space->enforceBounds(a_);
+        const bool success = replaceVertex(i, a_);
+        steps_[i].pull = success ? std::min(1.0, 1.6 * steps_[i].pull) : 0.4 * steps_[i].pull;
+        return success;
+    }
+
+    /* Part of the way to the chord: one leaf, some coordinates, or all but a random direction. What blocks the way is
+       often a surface along which the vertex can slide once the step across it is left out, and a rotation that is
+       not needed unwinds while the position stays. */
+    void PathTightening::selectPart(Step &step)
+    {
+        const Eigen::Index d = chart_->dimension();
+        const auto pick = [this](Eigen::Index size)
+        { return static_cast<Eigen::Index>(rng_.uniformInt(0, static_cast<int>(size) - 1)); };
+        step.mask.setOnes(d);
+        step.normal.setZero(d);
+        switch (rng_.uniformInt(chart_->leaves() > 1 ? 0 : 1, 3))
+        {
+            case 0:
+            {
+                const auto [offset, dimension] =
+                    chart_->leafRange(static_cast<std::size_t>(pick(static_cast<Eigen::Index>(chart_->leaves()))));
+                step.mask.setZero();
+                step.mask.segment(offset, dimension).setOnes();
+                break;
+            }
+            case 1:
+                step.mask[pick(d)] = 0.0;
+                break;
+            case 2:
+                for (Eigen::Index j = 0; j < d; ++j)
+                    step.mask[j] = rng_.uniform01() < 0.5 ? 0.0 : 1.0;
+                break;
+            default:
+                for (Eigen::Index j = 0; j < d; ++j)
+                    step.normal[j] = rng_.gaussian01();
+                step.normal.normalize();
+                break;
+        }
+    }
+
+    bool PathTightening::pullPart(std::size_t i)
+    {
+        const auto &space = chart_->space();
+        const double before = space->distance(path_[i - 1], path_[i]);
+        const double after = space->distance(path_[i], path_[i + 1]);
+        if (before + after <= 0.0 || chart_->dimension() < 2)
+            return false;
+        Step &step = steps_[i];
+        if (!step.partWorked)
+            selectPart(step);
+        space->interpolate(path_[i - 1], path_[i + 1], before / (before + after), b_);
+        space->enforceBounds(b_);
+        chart_->difference(path_[i], b_, delta_);
+        delta_ = delta_.cwiseProduct(step.mask);
+        delta_ -= delta_.dot(step.normal) * step.normal;
+        delta_ *= rng_.uniform01() < 0.3 ? 1.0 : step.partPull;
+        if (delta_.norm() < smallestStep())
+        {
+            step.partWorked = false;
+            step.partPull = std::min(1.0, 4.0 * step.partPull);
+            return false;
+        }
+        chart_->displace(path_[i], delta_, a_);
+        step.partWorked = replaceVertex(i, a_);
+        step.partPull = step.partWorked ? std::min(1.0, 1.5 * step.partPull) : std::max(1e-4, 0.8 * step.partPull);
+        return step.partWorked;
+    }
+
+    bool PathTightening::perturb(std::size_t i)
+    {
+        const auto &objective = evaluator_.objective();
+        VertexSearch &search = steps_[i].search;
+        if (search.sigma() < smallestStep())
+            search = VertexSearch(chart_->dimension(), 1e3 * smallestStep());
+        const ob::Cost cost = localCost(path_[i - 1], path_[i], path_[i + 1]);
+        for (unsigned int k = 0; k < COST_TRIES; ++k)
+        {
+            search.draw(rng_, delta_);
+            chart_->displace(path_[i], delta_, a_);
+            evaluator_.addWork(1);
+            if (!objective->isCostBetterThan(localCost(path_[i - 1], a_, path_[i + 1]), cost))
+                search.failed();
+            else if (replaceVertex(i, a_))
+            {
+                search.succeeded();
+                return true;
+            }
+            else
+            {
+                search.violated();
+                return false;
+            }
+        }
+        return false;
+    }
+
+    /* Gives the path a vertex more where its detour over the chord is largest. */
+    bool PathTightening::refineWorstCorner()
+    {
+        if (path_.size() >= MAX_VERTICES || path_.size() < 3)
+            return false;
+        const auto &space = chart_->space();
+        std::size_t worst = 0;
+        double largest = 1e-6 * space->distance(path_.front(), path_.back());
+        for (std::size_t i = 1; i + 1 < path_.size(); ++i)
+        {
+            const double detour = space->distance(path_[i - 1], path_[i]) + space->distance(path_[i], path_[i + 1]) -
+                                  space->distance(path_[i - 1], path_[i + 1]);
+            if (detour > largest)
+            {
+                largest = detour;
+                worst = i;
+            }
+        }
+        return worst > 0 && cutCorner(worst);
+    }
+
+    /* Replaces a vertex by two, one on each of its motions, as near to it as is needed to be valid. */
+    bool PathTightening::cutCorner(std::size_t i)
+    {
+        const auto &space = chart_->space();
+        const auto &objective = evaluator_.objective();
+        for (double part = 0.5; part > 0.01; part *= 0.4)
+        {
+            space->interpolate(path_[i - 1], path_[i], 1.0 - part, a_);
+            space->enforceBounds(a_);
+            space->interpolate(path_[i], path_[i + 1], part, b_);
+            space->enforceBounds(b_);
+            const ob::Cost cut =
+                objective->combineCosts(localCost(path_[i - 1], a_, b_), objective->motionCost(b_, path_[i + 1]));
+            if (objective->isCostBetterThan(localCost(path_[i - 1], path_[i], path_[i + 1]), cut))
+                continue;
+            if (evaluator_.checkMotion(a_, b_) && evaluator_.checkMotion(path_[i - 1], a_) &&
+                evaluator_.checkMotion(b_, path_[i + 1]))
+            {
+                space->copyState(path_[i], b_);
+                steps_[i] = firstStep(i);
+                insertVertex(i, a_);
+                return true;
+            }
+        }
+        return false;
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,304 @@
+/* The parts of the search that MFA gives turns to. */
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ompl_mfa/planner/MFA.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Pairs of start and goal beyond these get no swarm of their own. */
+        constexpr std::size_t MAX_SWARMS = 8;
+        /* Paths of other homotopy classes that are kept as axes of curved frames. */
+        constexpr std::size_t MAX_ALTERNATIVES = 3;
+        /* A path is an alternative if its tightened cost is at most this many times the best. */
+        constexpr double ALTERNATIVE = 1.15;
+        /* A splice may be this much worse than the best path and still be worth tightening. */
+        constexpr double SPLICE_SLACK = 1.1;
+        /* The same for a firefly. */
+        constexpr double FIREFLY_SLACK = 1.2;
+        /* Slices of a curved frame at the most. */
+        constexpr std::size_t MAX_CURVED_SLICES = 40;
+        /* Half the width of a curved frame in parts of its length: first, and when it is laid wide again. */
+        constexpr double WIDEST_REACH = 0.25;
+        constexpr double NARROWEST_REACH = 0.005;
+        /* The curved frame is laid anew once the best path is this much better. */
+        constexpr double NEW_FRAME_GAIN = 0.02;
+        /* Work given to the tightening of a new path, in parts of the work of checking it once. */
+        constexpr std::uint64_t TIGHTENING_FACTOR = 30;
+
+        /* Work of the trees, divided by their share, before any other part begins. */
+        constexpr double FIRST_TREES = 50000.0;
+
+        double length(const Waypoints &path)
+        {
+            double sum = 0.0;
+            for (std::size_t i = 1; i < path.size(); ++i)
+                sum += path.space()->distance(path[i - 1], path[i]);
+            return sum;
+        }
+
+        /* The cost that a factor of slack allows, for objectives where a factor makes a positive cost worse. */
+        double withSlack(const ob::OptimizationObjective &objective, double cost, double factor)
+        {
+            if (!std::isfinite(cost) || cost <= 0.0)
+                return cost;
+            return objective.isCostBetterThan(ob::Cost(cost), ob::Cost(factor * cost)) ? factor * cost : cost;
+        }
+    }  // namespace
+
+    void MFA::prepareParts()
+    {
+        sharing_ = TurnSharing();
+        partWork_.assign(PARTS, 0.0);
+        // before there is a path, most of the work goes to the guide that finds one soonest
+        const double delay = useTrees_ ? FIRST_TREES : 0.0;
+        sharing_.add(0.06, 0.10, delay);  // FIREFLIES
+        sharing_.add(0.03, 0.08, delay);  // RECOMBINATION
+        sharing_.add(0.85, 0.12, 0.0);    // TIGHTENING
+        sharing_.add(0.85, 0.08, 0.0);    // TREES
+        sharing_.add(0.06, 0.12, delay);  // ROADMAP
+        if (useTrees_)
+            trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
+        if (useRoadmap_)
+            roadmap_ = std::make_unique<RoadmapGuide>(this, chart_, *evaluator_, runSeed_ + 2);
+        if (useTightening_)
+        {
+            tightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 3);
+            newTightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 4);
+        }
+        reach_ = WIDEST_REACH;
+    }
+
+    void MFA::forgetParts()
+    {
+        activeSwarm_ = nullptr;
+        swarms_.clear();
+        curvedSwarm_.reset();
+        alternatives_.clear();
+        nextSwarm_ = nextAxis_ = 0;
+        trees_.reset();
+        roadmap_.reset();
+        tightening_.reset();
+        newTightening_.reset();
+        tighteningStale_ = false;
+    }
+
+    std::vector<bool> MFA::availableParts() const
+    {
+        std::vector<bool> available(PARTS, false);
+        const bool swarms = !swarms_.empty() || curvedSwarm_;
+        available[FIREFLIES] = swarms;
+        available[RECOMBINATION] = useRecombination_ && activeSwarm_ != nullptr && activeSwarm_->frame().slices() > 0 &&
+                                   activeSwarm_->fireflies().evaluations() > 0;
+        available[TIGHTENING] = tightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
+        const bool ends = !query_->starts().empty() && !query_->goals().empty();
+        available[TREES] = trees_ && ends;
+        available[ROADMAP] = roadmap_ && ends;
+        return available;
+    }
+
+    void MFA::takeTurn(Part part, std::uint64_t work)
+    {
+        switch (part)
+        {
+            case FIREFLIES:
+                return fly(work);
+            case RECOMBINATION:
+                return recombine(work);
+            case TIGHTENING:
+                return tighten(work);
+            case TREES:
+                return follow(*trees_, work);
+            default:
+                return follow(*roadmap_, work);
+        }
+    }
+
+    void MFA::tryStraightMotions()
+    {
+        const Waypoints &starts = query_->starts();
+        const Waypoints &goals = query_->goals();
+        for (std::size_t i = 0; i < starts.size(); ++i)
+        {
+            for (std::size_t j = i < triedStarts_ ? triedGoals_ : 0; j < goals.size(); ++j)
+                tryStraightMotion(starts[i], goals[j]);
+        }
+        triedStarts_ = starts.size();
+        triedGoals_ = goals.size();
+    }
+
+    void MFA::tryStraightMotion(const ob::State *start, const ob::State *goal)
+    {
+        Waypoints path(si_->getStateSpace());
+        path.append(start);
+        path.append(goal);
+        const Brightness brightness = evaluator_->evaluate(path, nullptr);
+        if (brightness.isFeasible())
+            offer(path, brightness.cost);
+        ++evaluations_;
+        if (swarms_.size() >= MAX_SWARMS)
+            return;
+        SliceFrame frame = SliceFrame::straight(chart_, start, goal, slices_ + 1);
+        if (frame.dimension() > 0)
+            swarms_.push_back(std::make_unique<Swarm>(
+                std::move(frame), *evaluator_, swarmSettings(), runSeed_ + 1000 * (swarms_.size() + 1),
+                [this](const Waypoints &valid, const Brightness &bright) { offer(valid, bright.cost); }));
+    }
+
+    /* An axis through the vertices of a path, with vertices more where its motions are long. */
+    Waypoints MFA::curvedAxis(const Waypoints &path) const
+    {
+        Waypoints axis(si_->getStateSpace());
+        const double spacing = length(path) / (slices_ + 1);
+        axis.append(path.front());
+        for (std::size_t i = 1; i < path.size(); ++i)
+        {
+            const double distance = si_->distance(path[i - 1], path[i]);
+            const auto pieces =
+                spacing > 0.0 ? std::max(1U, static_cast<unsigned int>(std::lround(distance / spacing))) : 1U;
+            for (unsigned int j = 1; j < pieces && axis.size() < MAX_CURVED_SLICES; ++j)
+            {
+                axis.append(path[i]);
+                auto *state = axis[axis.size() - 1];
+                si_->getStateSpace()->interpolate(path[i - 1], path[i], static_cast<double>(j) / pieces, state);
+                si_->getStateSpace()->enforceBounds(state);
+            }
+            axis.append(path[i]);
+        }
+        return axis;
+    }
+
+    void MFA::layCurvedFrame()
+    {
+        // in turn the best path and the alternatives
+        nextAxis_ = nextAxis_ % (alternatives_.size() + 1);
+        const Waypoints &path = nextAxis_ == 0 ? incumbent_->path() : alternatives_[nextAxis_ - 1];
+        if (!curvedSwarm_ || incumbent_->cost() == curvedCost_)
+            reach_ = reach_ > NARROWEST_REACH ? 0.5 * reach_ : WIDEST_REACH;
+        Waypoints axis = curvedAxis(path);
+        SliceFrame frame(chart_, std::move(axis), reach_ * length(path));
+        activeSwarm_ = nullptr;
+        curvedSwarm_.reset();
+        curvedCost_ = incumbent_->cost();
+        if (frame.dimension() == 0)
+            return;
+        const Waypoints origins = frame.axis();
+        curvedSwarm_ = std::make_unique<Swarm>(
+            std::move(frame), *evaluator_, swarmSettings(), runSeed_ + 7 * iterations_ + 17,
+            [this](const Waypoints &valid, const Brightness &bright) { offer(valid, bright.cost); });
+        curvedSwarm_->inject(origins);
+        ++nextAxis_;
+    }
+
+    /* The swarms take turns by generations; the curved one has every other. */
+    void MFA::chooseSwarm()
+    {
+        const bool curved = useTightening_ || useTrees_ || useRoadmap_;
+        if (curved && incumbent_->hasPath() && nextSwarm_++ % 2 == 0)
+        {
+            const bool improved =
+                std::abs(curvedCost_ - incumbent_->cost()) > NEW_FRAME_GAIN * std::abs(incumbent_->cost());
+            if (!curvedSwarm_ || curvedSwarm_->epoch() > 0 || improved)
+                layCurvedFrame();
+            if (curvedSwarm_)
+            {
+                activeSwarm_ = curvedSwarm_.get();
+                return;
+            }
+        }
+        if (!swarms_.empty())
+            activeSwarm_ = swarms_[iterations_ / (2 * settings_.generations) % swarms_.size()].get();
+    }
+
+    void MFA::fly(std::uint64_t work)
+    {
+        if (activeSwarm_ == nullptr)
+            chooseSwarm();
+        if (activeSwarm_ == nullptr)
+            return;
+        const std::uint64_t limit = evaluator_->work() + work;
+        // a path that tightening cannot make the best is of no use; the paper's fireflies know no such bound
+        if (useTightening_ || useRecombination_)
+            activeSwarm_->setBound(withSlack(*objective_, incumbent_->cost(), FIREFLY_SLACK));
+        const bool completed = activeSwarm_->step(
+            [&]
+            {
+                if (evaluator_->work() >= limit || evaluator_->stopped())
+                    return true;
+                ++evaluations_;
+                return false;
+            });
+        if (!completed)
+            return;
+        if (activeSwarm_->fireflies().generation() > 0)
+            ++iterations_;
+        chooseSwarm();
+    }
+
+    void MFA::recombine(std::uint64_t work)
+    {
+        Waypoints onSlices(si_->getStateSpace());
+        Waypoints spliced(si_->getStateSpace());
+        if (!incumbent_->hasPath() || !activeSwarm_->frame().crossings(incumbent_->path(), onSlices))
+            onSlices.clear();
+        const double bound = withSlack(*objective_, incumbent_->cost(), useTightening_ ? SPLICE_SLACK : 1.0);
+        if (activeSwarm_->recombine(onSlices, bound, work, spliced))
+            offerTightened(spliced);
+    }
+
+    void MFA::tighten(std::uint64_t work)
+    {
+        if (tighteningStale_)
+            tightening_->begin(incumbent_->path());
+        tighteningStale_ = false;
+        if (!tightening_->advance(work))
+            return;
+        offer(tightening_->path(), evaluator_->cost(tightening_->path()).value());
+        tighteningStale_ = false;
+    }
+
+    void MFA::follow(Guide &guide, std::uint64_t work)
+    {
+        Waypoints path(si_->getStateSpace());
+        if (guide.advance(*query_, incumbent_->cost(), work, path))
+            offerTightened(path);
+    }
+
+    /* A path from a guide or a splice is far from the best of its homotopy class: it is compared after tightening. */
+    void MFA::offerTightened(const Waypoints &path)
+    {
+        ++evaluations_;
+        offer(path, evaluator_->cost(path).value());
+        if (!useTightening_)
+            return;
+        std::uint64_t check = path.size();
+        for (std::size_t i = 1; i < path.size(); ++i)
+            check += si_->getStateSpace()->validSegmentCount(path[i - 1], path[i]);
+        newTightening_->begin(path);
+        for (unsigned int k = 0; k < TIGHTENING_FACTOR && !newTightening_->converged(); ++k)
+        {
+            newTightening_->advance(check);
+            // a path that is still far behind will not catch up
+            if (k == TIGHTENING_FACTOR / 3 &&
+                objective_->isCostBetterThan(ob::Cost(withSlack(*objective_, incumbent_->cost(), ALTERNATIVE)),
+                                             evaluator_->cost(newTightening_->path())))
+                return;
+            if (evaluator_->stopped())
+                break;
+        }
+        const Waypoints &tightened = newTightening_->path();
+        const double cost = evaluator_->cost(tightened).value();
+        if (incumbent_->improvedBy(cost))
+            return offer(tightened, cost);
+        if (alternatives_.size() < MAX_ALTERNATIVES)
+            alternatives_.push_back(tightened);
+        else
+            alternatives_[nextAxis_ % MAX_ALTERNATIVES] = tightened;
+    }
+}  // namespace ompl_mfa

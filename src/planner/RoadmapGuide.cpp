@@ -1,0 +1,127 @@
+#include "ompl_mfa/planner/RoadmapGuide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <ompl/tools/config/SelfConfig.h>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* A raw path of the roadmap may be this much worse than the best tightened one and still be worth tightening.
+         */
+        constexpr double SLACK = 1.15;
+        /* Search of the nearest neighbours, in state checks for each of them. */
+        constexpr std::uint64_t NEIGHBOUR_WORK = 4;
+    }  // namespace
+
+    RoadmapGuide::RoadmapGuide(const ob::Planner *planner, StateChartPtr chart, PathEvaluator &evaluator,
+                               std::uint_fast32_t seed)
+      : chart_(std::move(chart))
+      , evaluator_(evaluator)
+      , sampler_(chart_, evaluator.objective(), seed)
+      , graph_(evaluator)
+      , nearest_(ompl::tools::SelfConfig::getDefaultNearestNeighbors<std::size_t>(planner))
+      , missing_(batch_)
+      , best_(std::numeric_limits<double>::infinity())
+      , sample_(chart_->space()->allocState())
+    {
+        nearest_->setDistanceFunction([this](std::size_t a, std::size_t b)
+                                      { return chart_->space()->distance(graph_.state(a), graph_.state(b)); });
+    }
+
+    RoadmapGuide::~RoadmapGuide()
+    {
+        chart_->space()->freeState(sample_);
+    }
+
+    std::size_t RoadmapGuide::add(const ob::State *state, bool valid)
+    {
+        const std::size_t vertex = graph_.addVertex(state, valid);
+        const auto d = static_cast<double>(chart_->space()->getDimension());
+        const double factor = boost::math::constants::e<double>() * (1.0 + 1.0 / d);
+        const auto k = static_cast<std::size_t>(std::ceil(factor * std::log(static_cast<double>(vertex + 2))));
+        nearest_->nearestK(vertex, k, neighbours_);
+        const bool bothWays = chart_->space()->hasSymmetricDistance() && evaluator_.objective()->isSymmetric();
+        for (const std::size_t neighbour : neighbours_)
+        {
+            graph_.addEdge(neighbour, vertex, bothWays);
+            if (!bothWays)
+                graph_.addEdge(vertex, neighbour, false);
+        }
+        nearest_->add(vertex);
+        evaluator_.addWork(NEIGHBOUR_WORK * neighbours_.size());
+        return vertex;
+    }
+
+    void RoadmapGuide::addEnds(const Query &query)
+    {
+        for (; starts_ < query.starts().size(); ++starts_)
+            graph_.setStart(add(query.starts()[starts_], true));
+        for (; goals_ < query.goals().size(); ++goals_)
+            graph_.setGoal(add(query.goals()[goals_], true));
+    }
+
+    void RoadmapGuide::suggest(const Waypoints &path)
+    {
+        for (std::size_t i = 1; i + 1 < path.size(); ++i)
+            add(path[i], true);
+    }
+
+    void RoadmapGuide::addBatch(const Query &query, double bound, std::uint64_t limit)
+    {
+        auto &rng = sampler_.rng();
+        const auto pick = [&rng](std::size_t size)
+        { return static_cast<std::size_t>(rng.uniformInt(0, static_cast<int>(size) - 1)); };
+        while (missing_ > 0 && evaluator_.work() < limit && !evaluator_.stopped())
+        {
+            const ob::State *start = query.starts()[pick(query.starts().size())];
+            const ob::State *goal = query.goals()[pick(query.goals().size())];
+            evaluator_.addWork(1);
+            if (!sampler_.sample(start, goal, bound, sample_) || !evaluator_.checkState(sample_))
+                continue;
+            add(sample_, true);
+            --missing_;
+        }
+    }
+
+    bool RoadmapGuide::advance(const Query &query, double bound, std::uint64_t work, Waypoints &path)
+    {
+        if (query.starts().empty() || query.goals().empty())
+            return false;
+        addEnds(query);
+        const std::uint64_t limit = evaluator_.work() + work;
+        const auto &objective = evaluator_.objective();
+        while (evaluator_.work() < limit && !evaluator_.stopped())
+        {
+            addBatch(query, bound, limit);
+            if (missing_ > 0)
+                return false;
+            // objectives to be maximised or with negative costs have no slack that is a factor
+            const double slack = std::isfinite(bound) && bound > 0.0 &&
+                                         objective->isCostBetterThan(ob::Cost(bound), ob::Cost(SLACK * bound))
+                                     ? SLACK * bound
+                                     : bound;
+            const double target =
+                std::isinf(best_) || objective->isCostBetterThan(ob::Cost(slack), ob::Cost(best_)) ? slack : best_;
+            if (graph_.search(target, limit > evaluator_.work() ? limit - evaluator_.work() : 0, path))
+            {
+                best_ = evaluator_.cost(path).value();
+                return true;
+            }
+            if (graph_.exhausted())
+            {
+                missing_ = batch_;
+                batch_ += batch_ / 4;
+            }
+        }
+        return false;
+    }
+}  // namespace ompl_mfa
