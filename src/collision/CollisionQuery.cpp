@@ -286,6 +286,13 @@ namespace ompl_mfa::collision
         return state.smallest <= 0.;
     }
 
+    bool CollisionQuery::overlapCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd *part, void *query)
+    {
+        double searchRadius = 0.;
+        distanceCallback(object, part, query, searchRadius);
+        return false;
+    }
+
     bool CollisionQuery::advanceCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd * /*part*/, void *query)
     {
         auto &sweep = *static_cast<Sweep *>(query);
@@ -367,7 +374,26 @@ namespace ompl_mfa::collision
         {
             return 0.;
         }
-        return std::max(0., smallest);
+        return smallest > 0. ? smallest : -deepestOverlap(worlds);
+    }
+
+    double CollisionQuery::deepestOverlap(const fcl::Transform3d *worlds) const
+    {
+        double smallest = 0.;
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+        {
+            PartQuery query{parts_[i], worlds[i], false, smallest};
+            PlacedShape placed(parts_[i], worlds[i]);
+            broadphase_.collide(&placed, &query, overlapCallback);
+            smallest = query.smallest;
+        }
+        for (const auto &[i, j] : bodyPairs_)
+        {
+            DistanceSearch search{smallest};
+            smallest = std::min(smallest, parts_[i].partFunctions[j].distance(*parts_[i].geometry, worlds[i],
+                                                                              *parts_[j].geometry, worlds[j], search));
+        }
+        return -smallest;
     }
 
     double CollisionQuery::distanceToObstacles(const Part &part, const fcl::Transform3d &world, double smallest) const

@@ -1,5 +1,7 @@
 #include "NarrowPhase.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
@@ -41,8 +43,29 @@ namespace ompl_mfa::collision
             return true;
         }
 
+        // How far a point inside is from the surface.
+        double depthInside(const fcl::Boxd &box, const fcl::Vector3d &point)
+        {
+            return (0.5 * box.side - point.cwiseAbs()).minCoeff();
+        }
+
+        double depthInside(const fcl::Cylinderd &cylinder, const fcl::Vector3d &point)
+        {
+            return std::min(cylinder.radius - point.head<2>().norm(), 0.5 * cylinder.lz - std::abs(point.z()));
+        }
+
+        double depthInside(const fcl::Sphered & /*sphere*/, const fcl::Vector3d & /*point*/)
+        {
+            return 0.;
+        }
+
         template <typename Shape>
         constexpr bool hasNearestPoint = !std::is_same_v<Shape, fcl::Coned> && isPrimitive<Shape>;
+
+        // A ball in one of these has a depth in closed form.
+        template <typename A, typename B>
+        constexpr bool depthIsKnown = (std::is_same_v<A, fcl::Sphered> && hasNearestPoint<B>) ||
+                                      (std::is_same_v<B, fcl::Sphered> && hasNearestPoint<A>);
 
         template <typename Shape>
         ConvexSeparation separateSphere(const fcl::Sphered &sphere, const Pose &spherePose, const Shape &shape,
@@ -54,7 +77,7 @@ namespace ompl_mfa::collision
             ConvexSeparation result;
             if (!nearestPoint(shape, centre, nearest))
             {
-                result.lower = result.upper = -sphere.radius;
+                result.lower = result.upper = -sphere.radius - depthInside(shape, centre);
                 return result;
             }
             const fcl::Vector3d outward = centre - nearest;
@@ -339,9 +362,10 @@ namespace ompl_mfa::collision
         {
             if constexpr (isPrimitive<A> && isPrimitive<B>)
             {
-                return std::min(
-                    search.limit,
-                    separateShapes(static_cast<const A &>(a), poseA, static_cast<const B &>(b), poseB, false).lower);
+                const double distance =
+                    separateShapes(static_cast<const A &>(a), poseA, static_cast<const B &>(b), poseB, false).lower;
+                // A plane that does not separate two shapes tells little of how deep they are in each other.
+                return std::min(search.limit, depthIsKnown<A, B> ? distance : std::max(0., distance));
             }
             else if constexpr (inOrder<A, B>)
             {
@@ -355,7 +379,7 @@ namespace ompl_mfa::collision
                     search.nearestA = result.b1;
                     search.nearestB = result.b2;
                 }
-                return result.min_distance;
+                return std::max(0., result.min_distance);
             }
             else
             {

@@ -27,7 +27,8 @@ namespace ompl_mfa::collision
         bool (*collide)(const fcl::CollisionGeometryd &, const fcl::Transform3d &, const fcl::CollisionGeometryd &,
                         const fcl::Transform3d &);
 
-        /** \brief Distance, at most 0 where they touch; the limit where it is no less than that. */
+        /** \brief Distance; minus the depth where the two overlap and it is known in closed form, else 0; the limit
+         * where it is no less than that. */
         double (*distance)(const fcl::CollisionGeometryd &, const fcl::Transform3d &, const fcl::CollisionGeometryd &,
                            const fcl::Transform3d &, DistanceSearch &search);
 

@@ -78,7 +78,7 @@ namespace ompl_mfa::collision
                         expected = std::min(expected, (pose.translation() - centre).norm() - size - radius);
                     }
                     EXPECT_EQ(query.collides(&pose), expected <= 0.);
-                    EXPECT_NEAR(query.distance(&pose, unlimited), std::max(0., expected), 1e-12);
+                    EXPECT_NEAR(query.distance(&pose, unlimited), expected, 1e-12);
                     hits += expected <= 0. ? 1 : 0;
                 }
                 EXPECT_GT(hits, 50);
@@ -111,6 +111,35 @@ namespace ompl_mfa::collision
                 hits += expected <= 0. ? 1 : 0;
             }
             EXPECT_GT(hits, 1000);
+        }
+
+        // The depth of a ball is how far its centre is from the outside, and its radius.
+        TEST(CollisionQuery, DepthOfABallIsThatOfItsCentre)
+        {
+            Random random(6);
+            const fcl::Vector3d side(2., 3., 4.);
+            const fcl::Transform3d place = random.pose(1.);
+            Scene boxes;
+            boxes.add({"", std::make_shared<fcl::Boxd>(side), place});
+            Scene cylinders;
+            cylinders.add({"", std::make_shared<fcl::Cylinderd>(1., 4.), place});
+            Scene cones;
+            cones.add({"", std::make_shared<fcl::Coned>(1., 4.), place});
+            const double radius = 0.25;
+            const CollisionQuery inBox(share(boxes), {RigidBody::sphere(radius)});
+            const CollisionQuery inCylinder(share(cylinders), {RigidBody::sphere(radius)});
+            const CollisionQuery inCone(share(cones), {RigidBody::sphere(radius)});
+            for (int i = 0; i < 1000; ++i)
+            {
+                const fcl::Vector3d centre = random.point(1.);
+                const fcl::Transform3d pose = place * Eigen::Translation3d(centre);
+                const double inside = (0.5 * side - centre.cwiseAbs()).minCoeff();
+                EXPECT_NEAR(inBox.distance(&pose, unlimited), -inside - radius, 1e-12);
+                const double radial = centre.head<2>().norm();
+                EXPECT_NEAR(inCylinder.distance(&pose, unlimited),
+                            radial - radius - std::min(1., radial + 2. - std::abs(centre.z())), 1e-12);
+                EXPECT_GE(inCone.distance(&pose, unlimited), 0.);
+            }
         }
 
         double triangleDistance(const MeshGeometry &a, const fcl::Transform3d &poseA, const MeshGeometry &b,
@@ -178,7 +207,7 @@ namespace ompl_mfa::collision
                     const double distance = amongBoxes.distance(&pose, unlimited);
                     EXPECT_EQ(collides, distance <= 0.);
                     EXPECT_EQ(inMap.collides(&pose), collides);
-                    EXPECT_NEAR(inMap.distance(&pose, unlimited), distance, 1e-9);
+                    EXPECT_NEAR(inMap.distance(&pose, unlimited), std::max(0., distance), 1e-9);
                     hits += collides ? 1 : 0;
                     if (!collides)
                     {
@@ -239,7 +268,7 @@ namespace ompl_mfa::collision
             EXPECT_NEAR(query.distance(poses.data(), unlimited), 0.5, 1e-12);
             poses[1].translation().x() = 2.5;
             EXPECT_TRUE(query.collides(poses.data()));
-            EXPECT_EQ(query.distance(poses.data(), unlimited), 0.);
+            EXPECT_NEAR(query.distance(poses.data(), unlimited), -0.5, 1e-12);
         }
 
         TEST(CollisionQuery, NothingToHitIsInfinitelyFar)

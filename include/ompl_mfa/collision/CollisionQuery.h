@@ -53,8 +53,12 @@ namespace ompl_mfa::collision
         /** \brief Whether a body touches an obstacle or another body. \param poses one for each body. */
         bool collides(const fcl::Transform3d *poses) const;
 
-        /** \brief The smallest distance from any body to any obstacle and between bodies, in the units of the world: 0
-            where they touch, `limit` where it is no less than that. \param poses one for each body. */
+        /** \brief The smallest distance from any body to any obstacle and between bodies, in the units of the world;
+            `limit` > 0 where it is no less than that.
+
+            Where shapes overlap, minus the largest depth among them: the shortest way to pull a sphere out of a sphere,
+            a box or a cylinder. Of other pairs no depth is known that could be trusted, and theirs counts as 0.
+            \param poses one for each body. */
         double distance(const fcl::Transform3d *poses, double limit) const;
 
         /** \brief Share of a motion, in [0, 1], up to which no body comes within `tolerance` > 0 of an obstacle or
@@ -74,11 +78,13 @@ namespace ompl_mfa::collision
         void findPairs();
         bool hitsObstacle(const Part &part, const fcl::Transform3d &world) const;
         double distanceToObstacles(const Part &part, const fcl::Transform3d &world, double smallest) const;
+        double deepestOverlap(const fcl::Transform3d *worlds) const;
         bool isInside(const fcl::Transform3d *worlds) const;
 
         static bool collideCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd *part, void *query);
         static bool distanceCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd *part, void *query,
                                      double &searchRadius);
+        static bool overlapCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd *part, void *query);
         static bool advanceCallback(fcl::CollisionObjectd *object, fcl::CollisionObjectd *part, void *query);
 
         std::shared_ptr<const Scene> scene_;

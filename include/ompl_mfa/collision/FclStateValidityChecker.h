@@ -35,8 +35,9 @@ namespace ompl_mfa::collision
         bool isValid(const ompl::base::State *state) const override;
 
         /** \brief The smallest distance between a body and an obstacle or between two bodies, in the units of the
-            world; 0 where they touch or overlap, infinity where there is nothing to hit. The bounds of the space
-            do not count. */
+            world; infinity where there is nothing to hit. Where they overlap it is minus the depth for spheres (points,
+            discs, balls) in spheres, boxes and cylinders, and 0 for all other shapes. The bounds of the space do not
+            count. */
         double clearance(const ompl::base::State *state) const override;
 
         const StatePlacement &placement() const
