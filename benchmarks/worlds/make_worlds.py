@@ -203,9 +203,9 @@ def slalom():
     for corners in ((0, -0.2, 16, 0), (0, 8, 16, 8.2), (-0.2, -0.2, 0, 8.2), (16, -0.2, 16.2, 8.2)):
         world.box((corners[0], corners[1], 0), (corners[2], corners[3], 1))
     for number, x in enumerate((4.0, 7.4, 10.8, 13.6)):
-        centre = 5.4 if number % 2 == 0 else 2.6
-        world.box((x - 0.15, centre - 1.8, 0), (x + 0.15, centre + 1.8, 1))
-    world.write("slalom.obj", "Four plates in a hall of 16 m x 8 m, each to be passed above or below.")
+        low, high = (3.0, 7.2) if number % 2 == 0 else (0.2, 4.8)
+        world.box((x - 0.15, low, 0), (x + 0.15, high, 1))
+    world.write("slalom.obj", "Four plates in a hall of 16 m x 8 m: two have a gap on either side, two on one.")
     robot = Mesh()
     robot.box((-1.25, -0.15, 0.2), (1.25, 0.15, 0.8))
     robot.write("bar.obj", "A bar of 2.5 m x 0.3 m.")
