@@ -87,6 +87,29 @@ TEST_F(Plan, drawsTheProblemAndItsPath)
         EXPECT_NE(svg.find(word), std::string::npos) << word;
 }
 
+TEST_F(Plan, drawsASpatialProblemFromTwoSides)
+{
+    const std::string file = OMPL_MFA_SOURCE_DIR "/benchmarks/configs/asteroids.cfg";
+    runProgram("plan '" + file + "' --planner rrtconnect --time 5 --picture " + path("out.svg"));
+    const std::string svg = readFile(path("out.svg"));
+    for (const std::string word : {", from above<", ", from the side<", ">z<"})
+        EXPECT_NE(svg.find(word), std::string::npos) << word;
+}
+
+TEST_F(Plan, plansThePapersScene)
+{
+    const ProgramResult result = runProgram("plan '" OMPL_MFA_SOURCE_DIR
+                                            "/benchmarks/configs/paper_scene.cfg'"
+                                            " --planner mfa --time 1 --seed 7 --json --path " +
+                                            path("out.path"));
+    ASSERT_EQ(result.status, 0) << result.err;
+    const double optimum = 27.8225;
+    const double cost = nlohmann::json::parse(result.out)["cost"].get<double>();
+    EXPECT_GE(cost, optimum - 1e-2);
+    EXPECT_LE(cost, 1.2 * optimum);
+    EXPECT_NEAR(length(readPath(path("out.path"))), cost, 1e-9);
+}
+
 TEST_F(Plan, printsATableForPeople)
 {
     const ProgramResult result = runProgram("plan " + config() + " --planner rrtconnect");
