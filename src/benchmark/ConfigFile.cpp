@@ -49,7 +49,7 @@ namespace ompl_mfa
                                                        "objective",
                                                        "objective.threshold",
                                                        "motion_validation",
-                                                       "solid_meshes"};
+                                                       "mesh_interior"};
 
         const std::vector<std::string> OBJECTIVES = {"length", "max_min_clearance", "mechanical_work", "weighted"};
 
@@ -239,9 +239,11 @@ namespace ompl_mfa
             {
                 std::map<std::string, std::string> origins;
                 for (const auto &spec : config_.planners)
+                {
                     if (!spec.name.empty() && !origins.emplace(spec.name, spec.origin).second)
                         throw InputError(spec.origin + ": two planners are named '" + spec.name + "', here and at " +
                                          origins[spec.name] + "; every planner needs its own name");
+                }
                 for (auto &spec : config_.planners)
                 {
                     const std::string title = plannerTitle(spec.type);
@@ -271,6 +273,9 @@ namespace ompl_mfa
                 if (problem.threshold < 0.0)
                     failAt(problem_.at("threshold"), "expected a number of at least 0");
                 readMotionValidation();
+                if (const ConfigEntry *interior = find(problem_, "mesh_interior"))
+                    problem.meshInterior =
+                        static_cast<collision::MeshInterior>(choiceValue(*interior, {"free", "solid"}));
             }
 
             void readMotionValidation()
@@ -325,15 +330,19 @@ namespace ompl_mfa
                 const std::set<std::string> goalKeys = poseKeys("goal");
                 const auto kind = KINDS.find(startKeys);
                 if (kind == KINDS.end() || startKeys != goalKeys)
+                {
                     throw InputError(problem.start.origin + ": start has (" + boost::algorithm::join(startKeys, ", ") +
                                      ") and goal has (" + boost::algorithm::join(goalKeys, ", ") +
                                      "); both are to have x, y (a planar point or disc), x, y, theta (SE2), x, y, z "
                                      "(a point or ball in space) or x, y, z, axis.x, axis.y, axis.z, theta (SE3)");
+                }
                 problem.space = kind->second;
                 if (problem.space == StateSpaceKind::SE3)
+                {
                     for (const ConfigPose *pose : {&problem.start, &problem.goal})
                         if (pose->theta != 0.0 && pose->axis[0] == 0.0 && pose->axis[1] == 0.0 && pose->axis[2] == 0.0)
                             throw InputError(pose->origin + ": the rotation axis is (0, 0, 0); give a direction");
+                }
                 readCurvedSpace();
                 if (const ConfigEntry *weight = find(problem_, "rotation_weight"))
                 {
@@ -390,6 +399,7 @@ namespace ompl_mfa
                 std::string missing;
                 unsigned int given = 0;
                 for (std::size_t i = 0; i < axes.size(); ++i)
+                {
                     for (const char *end : {"min", "max"})
                     {
                         const std::string key = std::string("volume.") + end + "." + axes[i];
@@ -403,15 +413,18 @@ namespace ompl_mfa
                         volume.origin = entry->origin;
                         ++given;
                     }
+                }
                 if (given == 0)
                     return;
                 if (!missing.empty())
                     throw InputError(volume.origin + ": the volume is incomplete:" + missing +
                                      " missing; give all of it, or nothing to plan in the world's box");
                 for (std::size_t i = 0; i < axes.size(); ++i)
+                {
                     if (volume.min[i] >= volume.max[i])
                         failAt(problem_.at(std::string("volume.max.") + axes[i]),
                                "expected more than problem.volume.min." + std::string(1, axes[i]));
+                }
                 config_.problem.volume = volume;
             }
 

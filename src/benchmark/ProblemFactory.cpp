@@ -153,6 +153,7 @@ namespace ompl_mfa
         {
             Context context;
             for (const auto &entry : entries)
+            {
                 if (entry.key == "sampler")
                     context.sampler = entry;
                 else if (boost::starts_with(entry.key, "projection."))
@@ -161,6 +162,7 @@ namespace ompl_mfa
                     context.space.push_back(entry);
                 else
                     context.sampling.push_back(entry);
+            }
             return context;
         }
 
@@ -192,6 +194,20 @@ namespace ompl_mfa
             };
             allocate(si.get());
             si->setValidStateSamplerAllocator(allocate);
+        }
+
+        std::shared_ptr<collision::FclStateValidityChecker> makeChecker(
+            const ob::SpaceInformationPtr &si, const ProblemConfig &problem,
+            const std::shared_ptr<const collision::Scene> &world, const collision::RigidBody &robot)
+        {
+            try
+            {
+                return std::make_shared<collision::FclStateValidityChecker>(si, world, robot, problem.meshInterior);
+            }
+            catch (const InputError &error)
+            {
+                failAt(problem.world ? *problem.world : problem.robot, error.what());
+            }
         }
 
         std::string describeBounds(const ob::RealVectorBounds &bounds)
@@ -234,8 +250,7 @@ namespace ompl_mfa
 
         auto setup = std::make_shared<og::SimpleSetup>(space);
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
-        collision::setCollisionChecking(si, std::make_shared<collision::FclStateValidityChecker>(si, world_, robot_),
-                                        problem.motionValidation);
+        collision::setCollisionChecking(si, makeChecker(si, problem, world_, robot_), problem.motionValidation);
         if (const auto objective = makeObjective(si, problem))
             setup->setOptimizationObjective(objective);
         si->setup();

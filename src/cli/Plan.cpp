@@ -86,11 +86,13 @@ namespace
         const ompl_mfa::ConfigEntry entry{boost::trim_copy(text.substr(0, equals)),
                                           boost::trim_copy(text.substr(equals + 1)), "--parameter"};
         for (auto &parameter : spec.parameters)
+        {
             if (boost::iequals(parameter.key, entry.key))
             {
                 parameter = entry;
                 return;
             }
+        }
         spec.parameters.push_back(entry);
     }
 

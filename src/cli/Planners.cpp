@@ -26,10 +26,12 @@ namespace
         {
             nlohmann::json parameters = nlohmann::json::array();
             for (const auto &parameter : ompl_mfa::plannerParameters(name))
+            {
                 parameters.push_back({{"name", parameter.name},
                                       {"type", parameter.type},
                                       {"range", parameter.range},
                                       {"default", parameter.defaultValue}});
+            }
             planners.push_back({{"name", name}, {"title", ompl_mfa::plannerTitle(name)}, {"parameters", parameters}});
         }
         std::cout << nlohmann::json{{"planners", planners}}.dump(2) << std::endl;

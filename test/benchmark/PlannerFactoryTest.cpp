@@ -218,9 +218,11 @@ namespace
         const auto rotations = inSpace(std::make_shared<ob::CompoundStateSpace>(
             std::vector<ob::StateSpacePtr>{part, part}, std::vector<double>{1.0, 1.0}));
         for (const char *name : {"kpiece", "sbl", "pdst", "projest", "lbkpiece"})
+        {
             EXPECT_NE(inputErrorOf([&] { ompl_mfa::createPlanner(rotations, spec(name)); }).find("projection"),
                       std::string::npos)
                 << name;
+        }
         EXPECT_NE(inputErrorOf([&] { ompl_mfa::createPlanner(rotations, spec("tsrrt")); }), "");
 
         const auto dubins = carSpace<ob::DubinsStateSpace>();

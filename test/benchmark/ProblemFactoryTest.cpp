@@ -233,6 +233,32 @@ namespace
         EXPECT_FALSE(isContinuous(*discrete));
     }
 
+    TEST_F(ProblemFactoryTest, TheInsideOfAMeshIsFreeOrSolid)
+    {
+        std::string mesh;
+        for (const char *corner : {"2 2", "8 2", "8 8", "2 8"})
+            mesh += "v " + std::string(corner) + " -3\nv " + corner + " 3\n";
+        const char *const faces[] = {"1 3 4", "1 4 2", "3 5 6", "3 6 4", "5 7 8", "5 8 6",
+                                     "7 1 2", "7 2 8", "1 5 3", "1 7 5", "2 4 6", "2 6 8"};
+        for (std::size_t i = 0; i < 12; ++i)
+            mesh += std::string("f ") + faces[i] + "\n";
+        write("box.obj", mesh);
+        write("open.obj", mesh.substr(0, mesh.rfind("f ")));
+        const auto inside = [this](const std::string &world, const std::string &line)
+        {
+            return errorOf("[problem]\nworld=" + world +
+                           "\nrobot=disc\nrobot.radius=0.5\nstart.x=5\nstart.y=5\n"
+                           "goal.x=1\ngoal.y=1\n" +
+                           VOLUME + line);
+        };
+        EXPECT_EQ(inside("box.obj", ""), "") << "as in OMPL.app";
+        EXPECT_EQ(inside("box.obj", "mesh_interior = free\n"), "");
+        EXPECT_NE(inside("box.obj", "mesh_interior = solid\n").find("start (5, 5) is in collision"), std::string::npos);
+        EXPECT_EQ(inside("open.obj", "mesh_interior = free\n"), "");
+        EXPECT_EQ(inside("open.obj", "mesh_interior = solid\n").find(at(2) + "problem.world = open.obj: "), 0u);
+        EXPECT_NE(inside("box.obj", "mesh_interior = hollow\n"), "");
+    }
+
     TEST_F(ProblemFactoryTest, SeedZeroIsRefused)
     {
         EXPECT_NE(inputErrorOf([] { ompl_mfa::setRandomSeed(0); }), "");

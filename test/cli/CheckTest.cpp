@@ -101,12 +101,14 @@ TEST(CheckConfigs, worldsAreWhatTheirScriptWrites)
     ASSERT_EQ(std::system(command.c_str()), 0);  // NOLINT(bugprone-command-processor): the test's own file
     unsigned int count = 0;
     for (const auto &entry : std::filesystem::directory_iterator(copy))
+    {
         if (entry.path().filename() != "make_worlds.py")
         {
             EXPECT_EQ(readFile(entry.path().string()), readFile((worlds / entry.path().filename()).string()))
                 << entry.path().filename();
             ++count;
         }
+    }
     EXPECT_GE(count, 10U);
     std::filesystem::remove_all(copy);
 }

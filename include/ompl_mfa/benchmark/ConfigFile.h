@@ -77,6 +77,7 @@ namespace ompl_mfa
         /** \brief objective.weight.NAME, in the order written; not empty exactly when the objective is `weighted`. */
         std::vector<std::pair<std::string, double>> objectiveWeights;
         collision::MotionValidation motionValidation{collision::MotionValidation::Discrete};
+        collision::MeshInterior meshInterior{collision::MeshInterior::Free};
         /** \brief Context of the space information for all planners: `sampler`, `longest_valid_segment_fraction`... */
         std::vector<ConfigEntry> context;
     };
