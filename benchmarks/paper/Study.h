@@ -14,7 +14,7 @@ namespace ompl_mfa::paper
         std::string outputFolder;
         unsigned int paperRuns{30};
         unsigned int seededRuns{10};
-        unsigned int functionRuns{10};
+        unsigned int functionRuns{6};
         unsigned int sliceRuns{10};
         unsigned int threads{2};
     };
