@@ -1,9 +1,6 @@
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include <Eigen/StdVector>
-
+#include "anytime/PlanarArm.h"
 #include "anytime/WorldList.h"
 
 namespace ompl_mfa::anytime
@@ -11,70 +8,10 @@ namespace ompl_mfa::anytime
     namespace
     {
         using Point = Eigen::Vector2d;
-        using Points = std::vector<Point, Eigen::aligned_allocator<Point>>;
-
-        /* A disc where both ends are the same point. Lengths in units of the arm's. */
-        struct Capsule
-        {
-            Point from;
-            Point to;
-            double radius;
-        };
-        using Capsules = std::vector<Capsule, Eigen::aligned_allocator<Capsule>>;
 
         /* Radians. The tip moves by less than the thinnest obstacle between two checked states. */
         constexpr double RESOLUTION = 0.01;
         constexpr double PI = 3.14159265358979323846;
-
-        double cross(const Point &a, const Point &b)
-        {
-            return a.x() * b.y() - a.y() * b.x();
-        }
-
-        double squaredDistance(const Point &point, const Point &from, const Point &to)
-        {
-            const Point along = to - from;
-            const double length = along.squaredNorm();
-            const double t = length > 0.0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0.0;
-            return (point - from - t * along).squaredNorm();
-        }
-
-        bool crosses(const Point &a, const Point &b, const Point &c, const Point &d)
-        {
-            return cross(b - a, c - a) * cross(b - a, d - a) < 0.0 && cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
-        }
-
-        bool collides(const Point &from, const Point &to, const Capsule &obstacle)
-        {
-            const double limit = obstacle.radius * obstacle.radius;
-            if (squaredDistance(obstacle.from, from, to) < limit)
-                return true;
-            if (obstacle.from == obstacle.to)
-                return false;
-            return squaredDistance(obstacle.to, from, to) < limit ||
-                   squaredDistance(from, obstacle.from, obstacle.to) < limit ||
-                   squaredDistance(to, obstacle.from, obstacle.to) < limit ||
-                   crosses(from, to, obstacle.from, obstacle.to);
-        }
-
-        /* Joint angles are relative to the link before; the base is at the origin and the arm is 1 long. */
-        bool armIsFree(const double *angles, int links, const Capsules &obstacles)
-        {
-            Point joint = Point::Zero();
-            double heading = 0.0;
-            for (int i = 0; i < links; ++i)
-            {
-                heading += angles[i];
-                const Point next = joint + Point(std::cos(heading), std::sin(heading)) / links;
-                for (const Capsule &obstacle : obstacles)
-                {
-                    if (collides(joint, next, obstacle))
-                        return false;
-                }
-                joint = next;
-            }
-            return true;
-        }
 
         /* Stretched out to one side; the goal is its mirror image. */
         Eigen::VectorXd startAngles(int links)

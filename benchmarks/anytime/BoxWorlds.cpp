@@ -215,11 +215,13 @@ namespace ompl_mfa::anytime
                 return makeBoxProblem(maker(dimension, random));
             };
             if (planar)
+            {
                 world.optimum = [=]
                 {
                     WorldRandom random(seed);
                     return planarOptimum(maker(2, random));
                 };
+            }
             return world;
         }
 

@@ -23,7 +23,7 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
-        constexpr rlim_t MEMORY_LIMIT = rlim_t{4} << 30;
+        [[maybe_unused]] constexpr rlim_t MEMORY_LIMIT = rlim_t{4} << 30;
 
         constexpr int EXIT_EXCEPTION = 3;
         constexpr int EXIT_OUT_OF_MEMORY = 4;
@@ -42,8 +42,11 @@ namespace ompl_mfa::anytime
             prctl(PR_SET_PDEATHSIG, SIGKILL);
             const rlimit noCore{0, 0};
             setrlimit(RLIMIT_CORE, &noCore);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+            // sanitizers reserve far more addresses than they use
             const rlimit memory{MEMORY_LIMIT, MEMORY_LIMIT};
             setrlimit(RLIMIT_AS, &memory);
+#endif
             cpu_set_t cores;
             CPU_ZERO(&cores);
             CPU_SET(core, &cores);

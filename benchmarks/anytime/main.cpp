@@ -1,11 +1,11 @@
 #include <cstdint>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 
@@ -31,6 +31,7 @@ namespace
         std::filesystem::path csv;
         std::filesystem::path markdown;
         bool fresh{false};
+        bool updateReferences{false};
     };
 
     void list()
@@ -48,11 +49,14 @@ namespace
 
     void printOptima(const Options &options)
     {
-        std::cout << "world,cost,source\n" << std::setprecision(12);
         for (const auto &world : anytime::selectWorlds(options.worlds))
         {
             if (world.optimum)
-                std::cout << world.name << ',' << world.optimum() << ",exact\n";
+                std::cout << nlohmann::ordered_json{{"world", world.name},
+                                                    {"cost", world.optimum()},
+                                                    {"source", "exact"},
+                                                    {"path", nlohmann::json::array()}}
+                          << '\n';
         }
     }
 
@@ -67,6 +71,8 @@ namespace
             arguments.insert(arguments.end(), {"--csv", options.csv.string()});
         if (!options.markdown.empty())
             arguments.insert(arguments.end(), {"--markdown", options.markdown.string()});
+        if (options.updateReferences)
+            arguments.emplace_back("--update-references");
         std::vector<char *> pointers;
         for (std::string &argument : arguments)
             pointers.push_back(argument.data());
@@ -107,7 +113,7 @@ namespace
         app.require_subcommand(1);
         Options options;
         app.add_subcommand("list", "names of worlds and planners")->callback(list);
-        auto *optima = app.add_subcommand("optima", "exact optima of the worlds that have one, as CSV");
+        auto *optima = app.add_subcommand("optima", "exact optima of the worlds that have one, a JSON object a line");
         optima->add_option("--worlds", options.worlds, "regular expression that selects worlds");
         optima->callback([&options] { printOptima(options); });
         auto *running = app.add_subcommand("run", "make the runs that are missing, then report");
@@ -123,6 +129,8 @@ namespace
         running->callback([&options] { run(options); });
         auto *reporting = app.add_subcommand("report", "statistics of the runs made so far");
         addReportOptions(*reporting, options);
+        reporting->add_flag("--update-references", options.updateReferences,
+                            "store the best paths found in benchmarks/anytime/references.jsonl");
         reporting->callback([&options] { report(options); });
         CLI11_PARSE(app, argc, argv);
         return 0;
