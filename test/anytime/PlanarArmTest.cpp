@@ -48,7 +48,7 @@ TEST(PlanarArm, AgreesWithPointsAlongLinksAndObstacles)
     std::uniform_real_distribution<double> place(-0.8, 0.8);
     int free = 0;
     int colliding = 0;
-    for (int trial = 0; trial < 300; ++trial)
+    for (int trial = 0; trial < 500; ++trial)
     {
         std::vector<double> angles(7);
         for (double &value : angles)
