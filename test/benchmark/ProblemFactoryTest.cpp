@@ -240,8 +240,8 @@ namespace
             mesh += "v " + std::string(corner) + " -3\nv " + corner + " 3\n";
         const char *const faces[] = {"1 3 4", "1 4 2", "3 5 6", "3 6 4", "5 7 8", "5 8 6",
                                      "7 1 2", "7 2 8", "1 5 3", "1 7 5", "2 4 6", "2 6 8"};
-        for (std::size_t i = 0; i < 12; ++i)
-            mesh += std::string("f ") + faces[i] + "\n";
+        for (const char *face : faces)
+            mesh += std::string("f ") + face + "\n";
         write("box.obj", mesh);
         write("open.obj", mesh.substr(0, mesh.rfind("f ")));
         const auto inside = [this](const std::string &world, const std::string &line)
