@@ -162,7 +162,11 @@ namespace ompl_mfa
     {
         if (!incumbent_->offer(path, cost))
             return;
-        evaluator_->setPartialPathEvent({});
+        if (!published_)
+        {
+            evaluator_->setPartialPathEvent({});
+            sharing_.endDelays();
+        }
         tighteningStale_ = true;
         publish();
     }

@@ -17,7 +17,9 @@ namespace ompl_mfa
         /* Paths of other homotopy classes that are kept as axes of curved frames. */
         constexpr std::size_t MAX_ALTERNATIVES = 3;
         /* A path is an alternative if its tightened cost is at most this many times the best. */
-        constexpr double ALTERNATIVE = 1.15;
+        constexpr double ALTERNATIVE = 1.1;
+        /* One that costs more than this many times the best when its tightening has just begun is given up. */
+        constexpr double HOPELESS_EARLY = 1.35;
         /* A splice may be this much worse than the best path and still be worth tightening. */
         constexpr double SPLICE_SLACK = 1.1;
         /* The same for a firefly. */
@@ -30,7 +32,7 @@ namespace ompl_mfa
         /* The curved frame is laid anew once the best path is this much better. */
         constexpr double NEW_FRAME_GAIN = 0.02;
         /* Work given to the tightening of a new path, in parts of the work of checking it once. */
-        constexpr std::uint64_t TIGHTENING_FACTOR = 30;
+        constexpr std::uint64_t TIGHTENING_FACTOR = 24;
 
         /* Work of the trees, divided by their share, before any other part begins. */
         constexpr double FIRST_TREES = 50000.0;
@@ -58,11 +60,11 @@ namespace ompl_mfa
         partWork_.assign(PARTS, 0.0);
         // before there is a path, most of the work goes to the guide that finds one soonest
         const double delay = useTrees_ ? FIRST_TREES : 0.0;
-        sharing_.add(0.06, 0.10, delay);  // FIREFLIES
-        sharing_.add(0.03, 0.08, delay);  // RECOMBINATION
-        sharing_.add(0.85, 0.12, 0.0);    // TIGHTENING
+        sharing_.add(0.06, 0.08, delay);  // FIREFLIES
+        sharing_.add(0.03, 0.06, delay);  // RECOMBINATION
+        sharing_.add(0.30, 0.12, 0.0);    // TIGHTENING
         sharing_.add(0.85, 0.08, 0.0);    // TREES
-        sharing_.add(0.06, 0.12, delay);  // ROADMAP
+        sharing_.add(0.20, 0.25, delay);  // ROADMAP
         if (useTrees_)
             trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
         if (useRoadmap_)
@@ -281,12 +283,13 @@ namespace ompl_mfa
         for (std::size_t i = 1; i < path.size(); ++i)
             check += si_->getStateSpace()->validSegmentCount(path[i - 1], path[i]);
         newTightening_->begin(path);
-        for (unsigned int k = 0; k < TIGHTENING_FACTOR && !newTightening_->converged(); ++k)
+        for (unsigned int k = 1; k <= TIGHTENING_FACTOR && !newTightening_->converged(); ++k)
         {
             newTightening_->advance(check);
             // a path that is still far behind will not catch up
-            if (k == TIGHTENING_FACTOR / 3 &&
-                objective_->isCostBetterThan(ob::Cost(withSlack(*objective_, incumbent_->cost(), ALTERNATIVE)),
+            const double hopeless = k == 5 ? HOPELESS_EARLY : ALTERNATIVE;
+            if ((k == 5 || k == 12) &&
+                objective_->isCostBetterThan(ob::Cost(withSlack(*objective_, incumbent_->cost(), hopeless)),
                                              evaluator_->cost(newTightening_->path())))
                 return;
             if (evaluator_->stopped())

@@ -9,6 +9,8 @@ namespace ompl_mfa
     {
         /* What a past turn still counts for after another turn of any part. */
         constexpr double MEMORY = 0.9;
+        /* What is shared out by gain; the floors come on top. */
+        constexpr double PAYOFF = 0.6;
     }  // namespace
 
     std::size_t TurnSharing::add(double share, double floor, double delay)
@@ -36,6 +38,15 @@ namespace ompl_mfa
                 parts_[i].pass = std::max(parts_[i].pass, parts_[best].pass);
         }
         return best;
+    }
+
+    void TurnSharing::endDelays()
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Part &part : parts_)
+            least = std::min(least, part.pass);
+        for (Part &part : parts_)
+            part.pass = least;
     }
 
     double TurnSharing::share(std::size_t part) const
@@ -67,6 +78,6 @@ namespace ompl_mfa
         if (sum <= 0.0)
             return;
         for (Part &p : parts_)
-            p.share = p.floor + (p.work > 0.0 ? p.gain / p.work : 0.0) / sum;
+            p.share = p.floor + (p.work > 0.0 ? PAYOFF * p.gain / p.work : 0.0) / sum;
     }
 }  // namespace ompl_mfa
