@@ -168,15 +168,16 @@ namespace ompl_mfa::collision
                         benchmark::DoNotOptimize(plain->distance((*poses)[i++ % Samples::count]));
                     }
                 });
-            benchmark::RegisterBenchmark(("clearance/" + world.name + "/clearance").c_str(),
-                                         [world, samples](benchmark::State &run)
-                                         {
-                                             std::size_t i = 0;
-                                             for ([[maybe_unused]] auto _ : run)
-                                             {
-                                                 benchmark::DoNotOptimize(world.checker->clearance(samples->state(i++)));
-                                             }
-                                         });
+            benchmark::RegisterBenchmark(
+                ("clearance/" + world.name + "/clearance").c_str(),
+                [world, samples](benchmark::State &run)
+                {
+                    std::size_t i = 0;
+                    for ([[maybe_unused]] auto _ : run)
+                    {
+                        benchmark::DoNotOptimize(world.checker->clearance(samples->state(i++)));
+                    }
+                });
         }
 
         // Motions that start valid, as planners ask for them.
