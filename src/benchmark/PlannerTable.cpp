@@ -111,6 +111,9 @@ namespace ompl_mfa
             {
                 auto planner = std::make_shared<MFA>(si);
                 planner->setVariant(variant);
+                planner->setGuide("none");
+                planner->setRecombination(false);
+                planner->setTightening(false);
                 return planner;
             };
             made.isOwn = true;

@@ -197,8 +197,8 @@ namespace
     TEST(PlannerFactory, RangesOfTheFireflyPlannersAreLimits)
     {
         EXPECT_EQ(errorOf("mfa", "gamma", "1000"), "a.cfg:10: gamma = 1000: out of the range 0.0:0.01:100.0");
-        EXPECT_EQ(errorOf("mfa_paper", "population_size", "3"),
-                  "a.cfg:10: population_size = 3: out of the range 4:1:10000");
+        EXPECT_EQ(errorOf("mfa_paper", "population_size", "10001"),
+                  "a.cfg:10: population_size = 10001: out of the range 0:1:10000");
         EXPECT_EQ(errorOf("mfa", "seed", "4294967295"), "");
         EXPECT_NE(errorOf("mfa", "seed", "4294967296"), "");
     }
@@ -259,6 +259,20 @@ namespace
         for (const char *name : {"mfa", "mfa_paper", "fa_paper"})
             for (const auto &parameter : ompl_mfa::plannerParameters(name))
                 EXPECT_TRUE(std::regex_match(parameter.range, range)) << name << "." << parameter.name;
+    }
+
+    TEST(PlannerFactory, ThePapersPlannersAreNothingButTheSwarm)
+    {
+        for (const char *name : {"mfa_paper", "fa_paper"})
+        {
+            for (const auto &parameter : ompl_mfa::plannerParameters(name))
+            {
+                if (parameter.name == "guide")
+                    EXPECT_EQ(parameter.defaultValue, "none") << name;
+                if (parameter.name == "recombination" || parameter.name == "tightening")
+                    EXPECT_EQ(parameter.defaultValue, "0") << name;
+            }
+        }
     }
 
     TEST(PlannerFactory, SeedsPlannersThatHaveASeed)
