@@ -268,9 +268,13 @@ namespace
             for (const auto &parameter : ompl_mfa::plannerParameters(name))
             {
                 if (parameter.name == "guide")
+                {
                     EXPECT_EQ(parameter.defaultValue, "none") << name;
+                }
                 if (parameter.name == "recombination" || parameter.name == "tightening")
+                {
                     EXPECT_EQ(parameter.defaultValue, "0") << name;
+                }
             }
         }
     }
