@@ -277,7 +277,9 @@ namespace ompl_mfa
         const std::uint32_t seed = runSeed(description.seed, run);
         const auto body = [&description, &entry, seed](RunState &state)
         { return writeRunRecord(measureRun(entry.makeProblem, entry.makePlanner, description.settings, seed, state)); };
-        active_.push_back({planner, run, std::make_unique<RunProcess>(body, limits()), monotonicSeconds()});
+        Active active{planner, run, nullptr, monotonicSeconds()};
+        active.process = std::make_unique<RunProcess>(body, limits());
+        active_.push_back(std::move(active));
     }
 
     bool Campaign::Execution::finish(Active &active)

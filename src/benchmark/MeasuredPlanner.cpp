@@ -226,7 +226,7 @@ namespace ompl_mfa
     double MeasuredPlanner::sampleTime(std::size_t index) const
     {
         const double dense = std::min(DENSE_INTERVAL, settings_.progressInterval);
-        const auto denseCount = static_cast<std::size_t>(DENSE_TIME / dense + 0.5);
+        const auto denseCount = static_cast<std::size_t>(std::lround(DENSE_TIME / dense));
         return index < denseCount
                    ? dense * static_cast<double>(index + 1)
                    : DENSE_TIME + settings_.progressInterval * static_cast<double>(index + 1 - denseCount);

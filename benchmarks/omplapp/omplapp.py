@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""Runs OMPL.app's sample problems and prints the table of docs/benchmarks.md.
+
+omplapp.py PROBLEMS OUTPUT [--program PROGRAM] [--planners a,b,c] [--time-limit S] [--runs N] [--table-only]
+
+PROBLEMS is the folder with OMPL.app's 2D/ and 3D/ (resources/ of its sources, or OMPL.app's installed one); nothing of it is part
+of this project. OUTPUT gets a config, a log and a journal for each problem; called again, it goes on where it stopped.
+"""
+import argparse
+import math
+import os
+import re
+import statistics
+import subprocess
+import sys
+
+PROBLEMS = ["2D/Barriers", "2D/RandomPolygons_planar", "3D/cubicles", "3D/Easy", "3D/Twistycool"]
+
+# Mean length and mean simplified length of exact solutions of OMPL.app's own ompl_benchmark, 5 s, 5 runs.
+REFERENCE = {
+    "Barriers": {"BITstar": (733, 718), "PRMstar": (814, 780), "RRTstar": (864, 840)},
+    "RandomPolygons": {"RRTstar": (106.0, 105.3), "PRMstar": (110.6, 106.9), "BITstar": (114.2, 106.0)},
+    "cubicles": {"BITstar": (1976, 1853), "RRTstar": (2009, 1868), "PRMstar": (2177, 1963)},
+    "Easy": {"RRTstar": (205.4, 202.5), "BITstar": (217.6, 202.4)},
+}
+# Seconds to the first solution of RRT-Connect.
+FIRST_SOLUTION = {"Barriers": 0.32, "RandomPolygons": 0.007, "cubicles": 0.37, "Easy": 0.06}
+
+
+def write_config(problem, arguments):
+    """The problem section as OMPL.app wrote it, with planners and limits of our own."""
+    source = os.path.join(arguments.problems, problem + ".cfg")
+    with open(source) as file:
+        section = file.read().split("[benchmark]")[0]
+    folder = os.path.dirname(os.path.abspath(source))
+    section = re.sub(r"(?m)^(world|robot)\s*=\s*(\S+)", lambda m: f"{m[1]} = {folder}/{m[2]}", section)
+    config = os.path.join(arguments.output, os.path.basename(problem) + ".cfg")
+    with open(config, "w") as file:
+        file.write(section)
+        file.write(f"[benchmark]\ntime_limit = {arguments.time_limit:g}\nmem_limit = 4000\nrun_count = {arguments.runs}\n"
+                   f"seed = {arguments.seed}\n[planner]\n")
+        file.writelines(f"{name} =\n" for name in arguments.planners.split(","))
+    return config
+
+
+def read_log(path):
+    """Name of the experiment, and for each planner its runs as dictionaries."""
+    with open(path) as file:
+        lines = iter(file.read().split("\n"))
+    planners = {}
+    experiment = None
+    for line in lines:
+        if line.startswith("Experiment "):
+            experiment = line.split()[1]
+        if not line.startswith("geometric_"):
+            continue
+        for _ in range(int(next(lines).split()[0])):
+            next(lines)
+        names = [next(lines) for _ in range(int(next(lines).split()[0]))]
+        count = int(next(lines).split()[0])
+        planners[line[len("geometric_"):]] = [dict(zip(names, next(lines).split("; "))) for _ in range(count)]
+    return experiment, planners
+
+
+def numbers(runs, name):
+    values = [float(run[name]) for run in runs if run.get(name)]
+    return [value for value in values if math.isfinite(value)]
+
+
+def mean(values):
+    if not values:
+        return "-"
+    spread = f" ± {statistics.stdev(values):.3g}" if len(values) > 1 else ""
+    return f"{statistics.mean(values):.4g}{spread}"
+
+
+def reference(experiment, planner):
+    name = planner[1:] if planner.startswith("kBIT") else planner
+    if name == "RRTConnect" and experiment in FIRST_SOLUTION:
+        return f"first after {FIRST_SOLUTION[experiment]} s"
+    pair = REFERENCE.get(experiment, {}).get(name)
+    return f"{pair[0]:.4g}, {pair[1]:.4g}" if pair else "-"
+
+
+def print_table(logs):
+    print("| problem | planner | solved | killed | first solution [s] | length | simplified | reference |")
+    print("|---|---|---|---|---|---|---|---|")
+    for log in logs:
+        experiment, planners = read_log(log)
+        for planner, runs in planners.items():
+            solved = [run for run in runs if run.get("solved BOOLEAN") == "1"]
+            killed = sum(run["termination ENUM"] != "0" for run in runs)
+            first = numbers(solved, "time to first solution REAL")
+            print(f"| {experiment} | {planner} | {len(solved)}/{len(runs)} | {killed} | "
+                  f"{statistics.median(first):.3g}" if first else f"| {experiment} | {planner} | 0/{len(runs)} | {killed} | -",
+                  "|", mean(numbers(solved, "path cost REAL")), "|", mean(numbers(solved, "simplified path cost REAL")),
+                  "|", reference(experiment, planner), "|")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("problems")
+    parser.add_argument("output")
+    parser.add_argument("--program", default="ompl_mfa")
+    parser.add_argument("--planners", default="rrtstar,prmstar,rrtconnect,bitstar,mfa")
+    parser.add_argument("--time-limit", type=float, default=5.0)
+    parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--table-only", action="store_true")
+    arguments = parser.parse_args()
+    os.makedirs(arguments.output, exist_ok=True)
+    logs = []
+    for problem in PROBLEMS:
+        log = os.path.join(arguments.output, os.path.basename(problem) + ".log")
+        logs.append(log)
+        if not arguments.table_only:
+            command = [arguments.program, "benchmark", write_config(problem, arguments), "--output", log, "--resume"]
+            status = subprocess.run(command, stdout=subprocess.DEVNULL).returncode
+            if status != 0:
+                sys.exit(status)
+    print_table([log for log in logs if os.path.exists(log)])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,149 @@
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/RunProgram.h"
+
+namespace
+{
+    /* A folder of its own with a config of the paper's scene. */
+    class Benchmark : public testing::Test
+    {
+    protected:
+        void SetUp() override
+        {
+            folder_ = temporaryFile("benchmark");
+            std::filesystem::create_directories(folder_);
+            writeConfig("time_limit = 30\nrun_count = 4\niteration_limit = 400\nseed = 5\n",
+                        "rrtstar =\nrrtconnect =\n");
+        }
+
+        void TearDown() override
+        {
+            std::filesystem::remove_all(folder_);
+        }
+
+        void writeConfig(const std::string &benchmark, const std::string &planners) const
+        {
+            std::ofstream(config()) << "[problem]\nname = scene\nworld = " OMPL_MFA_SOURCE_DIR
+                                       "/benchmarks/worlds/paper_scene.yaml\nrobot = disc\nrobot.radius = 0.3\n"
+                                       "start.x = 0.3\nstart.y = 2.2\ngoal.x = 20\ngoal.y = 20\nvolume.min.x = 0\n"
+                                       "volume.min.y = 0\nvolume.max.x = 20\nvolume.max.y = 20\n[benchmark]\n"
+                                    << benchmark << "[planner]\n"
+                                    << planners;
+        }
+
+        std::string config() const
+        {
+            return folder_ + "/scene.cfg";
+        }
+
+        std::string folder_;
+    };
+
+    std::size_t count(const std::string &text, const std::string &part)
+    {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        {
+            ++found;
+        }
+        return found;
+    }
+}  // namespace
+
+TEST_F(Benchmark, WritesItsLogBesideTheConfigAndATable)
+{
+    const ProgramResult result = runProgram("benchmark " + config());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("RRTstar                   4"), std::string::npos) << result.out;
+    EXPECT_EQ(count(result.err, "Exact solution, cost "), 8u) << result.err;
+    const std::string log = readFile(folder_ + "/scene.log");
+    EXPECT_NE(log.find("\nExperiment scene\n"), std::string::npos);
+    EXPECT_NE(log.find("\nbase_seed INTEGER = 5\n"), std::string::npos);
+    EXPECT_NE(log.find("\niteration_limit INTEGER = 400\n"), std::string::npos);
+    EXPECT_EQ(count(log, "\n4 runs\n"), 4u);
+}
+
+TEST_F(Benchmark, PrintsJson)
+{
+    const ProgramResult result = runProgram("benchmark --json --quiet --jobs 2 " + config());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto document = nlohmann::json::parse(result.out);
+    EXPECT_EQ(document.at("log"), folder_ + "/scene.log");
+    ASSERT_EQ(document.at("planners").size(), 2u);
+    EXPECT_EQ(document["planners"][0]["planner"], "RRTstar");
+    EXPECT_EQ(document["planners"][0]["runs"], 4);
+    EXPECT_GT(document["planners"][0]["cost_mean"], 27.8);
+    EXPECT_LE(document["planners"][0]["simplified_cost_mean"], document["planners"][0]["cost_mean"]);
+}
+
+TEST_F(Benchmark, ShardsAndMergeMakeTheWhole)
+{
+    const std::string output = folder_ + "/out/";
+    EXPECT_EQ(runProgram("benchmark --quiet --output " + output + "whole.log " + config()).status, 0);
+    std::string parts;
+    for (const char *shard : {"1", "2", "3"})
+    {
+        const std::string part = output + "part" + shard + ".log";
+        EXPECT_EQ(runProgram("benchmark --quiet --shard " + std::string(shard) + "/3 --output " + part + " " + config())
+                      .status,
+                  0);
+        parts += part + " ";
+    }
+    const ProgramResult merged = runProgram("merge " + parts + "--output " + output + "merged.log");
+    EXPECT_EQ(merged.status, 0) << merged.err;
+    EXPECT_NE(merged.out.find("8 runs of 2 planners from 3 parts"), std::string::npos);
+
+    expectBadInput("merge " + parts + output + "whole.log --output " + output + "x.log", {"is in", "part"});
+    expectBadInput("merge " + output + "part1.log --output " + output + "x.log", {"in none of the parts"});
+    EXPECT_EQ(runProgram("merge --allow-missing " + output + "part1.log --output " + output + "x.log").status, 0);
+    writeConfig("time_limit = 30\nrun_count = 4\niteration_limit = 401\nseed = 5\n", "rrtstar =\nrrtconnect =\n");
+    EXPECT_EQ(
+        runProgram("benchmark --quiet --shard 3/3 --overwrite --output " + output + "part3.log " + config()).status, 0);
+    expectBadInput("merge " + parts + "--output " + output + "x.log", {"part3.log", "not a part of the same campaign"});
+    expectBadInput("merge " + config() + " --output " + output + "x.log", {"scene.cfg:1", "OMPL version"});
+    expectBadInput("merge /no/such.log --output " + output + "x.log", {"/no/such.log"});
+}
+
+TEST_F(Benchmark, ResumesOnlyWhatIsMissing)
+{
+    EXPECT_EQ(runProgram("benchmark --quiet " + config()).status, 0);
+    const std::string journal = folder_ + "/scene.log.journal";
+    const std::string whole = readFile(journal);
+    std::filesystem::resize_file(journal, whole.size() / 2);
+    std::filesystem::remove(folder_ + "/scene.log");
+    expectBadInput("benchmark " + config(), {"scene.log.journal", "--resume", "--overwrite"});
+    const ProgramResult result = runProgram("benchmark --resume " + config());
+    EXPECT_EQ(result.status, 0);
+    EXPECT_GE(count(result.err, "Exact solution"), 1u);
+    EXPECT_LT(count(result.err, "Exact solution"), 8u);
+    EXPECT_EQ(count(readFile(folder_ + "/scene.log"), "\n4 runs\n"), 4u);
+}
+
+TEST_F(Benchmark, RefusesWhatItCannotUse)
+{
+    for (const char *shard : {"0/3", "4/3", "3", "a/b", "1/3x", "-1/3", "1/-3", "/"})
+    {
+        expectBadInput(std::string("benchmark --shard=") + shard + " " + config(), {"--shard", shard, "I/N"});
+    }
+    expectBadInput("benchmark --jobs 0 " + config(), {"--jobs"});
+    expectBadInput("benchmark --grace -1 " + config(), {"--grace"});
+    expectBadInput("benchmark --resume --overwrite " + config(), {"--overwrite", "--resume"});
+    expectBadInput("benchmark /no/such.cfg", {"/no/such.cfg"});
+    expectBadInput("benchmark --output /proc/no/x.log " + config(), {"/proc/no"});
+    expectBadInput("benchmark", {"config"});
+
+    writeConfig("time_limt = 3\n", "rrtstar =\n");
+    expectBadInput("benchmark " + config(), {"scene.cfg:15", "time_limt", "time_limit"});
+    writeConfig("progress_interval = 0.0001\n", "rrtstar =\n");
+    expectBadInput("benchmark " + config(), {"progress_interval", "0.001"});
+    writeConfig("", "mfa =\nmfa.seed = 3\n");
+    expectBadInput("benchmark " + config(), {"scene.cfg", "seed", "benchmark.seed"});
+    writeConfig("", "rrtstar =\nrrtstar.rnge = 3\n");
+    expectBadInput("benchmark " + config(), {"scene.cfg:17", "rnge", "range"});
+    EXPECT_FALSE(std::filesystem::exists(folder_ + "/scene.log"));
+}
