@@ -28,7 +28,8 @@ function(ompl_mfa_add_library target export_name)
 endfunction()
 
 # ompl_mfa_add_test(<name> SOURCES <files> LIBRARIES <targets> [LABELS <labels>] [TIMEOUT <seconds>]): one GoogleTest
-# program, registered with CTest as a whole; each program belongs to one room and is named <room>_<what>.
+# program, registered with CTest as a whole; each program belongs to one room and is named <room>_<what>. The target
+# ompl_mfa_tests builds them all.
 function(ompl_mfa_add_test name)
     cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
@@ -36,6 +37,10 @@ function(ompl_mfa_add_test name)
     target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
     target_compile_definitions(${name} PRIVATE OMPL_MFA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    if(NOT TARGET ompl_mfa_tests)
+        add_custom_target(ompl_mfa_tests)
+    endif()
+    add_dependencies(ompl_mfa_tests ${name})
     add_test(NAME ${name} COMMAND ${name})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
