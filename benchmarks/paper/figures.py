@@ -172,7 +172,7 @@ def convergence(folder):
         axes.plot(evaluations, middle, color=COLOURS[algorithm], linewidth=2, label=ALGORITHMS[algorithm])
         axes.fill_between(evaluations, low, high, color=COLOURS[algorithm], alpha=0.15)
     axes.axhline(1.0, color="black", linestyle=":", linewidth=1)
-    axes.annotate("1 % above the optimum", (evaluations[-1], 1.0), xytext=(0, 3), textcoords="offset points",
+    axes.annotate("1 % above the optimum", (evaluations[-1], 1.0), xytext=(0, -12), textcoords="offset points",
                   ha="right", fontsize=9)
     axes.set(xlabel="path evaluations", ylabel="best path so far, above the exact optimum [%]", yscale="log",
              ylim=(0.5, 100), xlim=(0, BUDGET), title=f"Paper's scene: median and quartiles of {len(runs)} runs")
