@@ -14,8 +14,6 @@
 
 PAGMO_S11N_ALGORITHM_IMPLEMENT(ompl_mfa::PagmoFirefly)
 
-using ompl_mfa::FireflyOptimizer;
-
 namespace
 {
     /** \brief The problem of a population, whose members' fitness is known already. */
