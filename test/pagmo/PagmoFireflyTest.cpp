@@ -115,6 +115,7 @@ TEST(PagmoFirefly, surviveSerialisationAndCopying)
         in >> restored;
     }
     ASSERT_TRUE(restored.is<PagmoFirefly>());
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the copy is what is tested
     const pagmo::algorithm copy(original);
     const auto expected = original.evolve(ackley()).get_x();
     EXPECT_EQ(restored.evolve(ackley()).get_x(), expected);
