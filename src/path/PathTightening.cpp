@@ -74,7 +74,8 @@ namespace ompl_mfa
 
     void PathTightening::round()
     {
-        const auto exhausted = [this] { return evaluator_.work() >= workLimit_ || evaluator_.interrupted(); };
+        // candidates that fail on cost alone never come to a motion check, which would ask
+        const auto exhausted = [this] { return evaluator_.work() >= workLimit_ || evaluator_.stopped(); };
         removeVertices();
         const std::size_t shortcuts = path_.size() > 2 ? 2 + path_.size() / 2 : 0;
         for (std::size_t k = 0; k < shortcuts && !exhausted(); ++k)
@@ -121,9 +122,9 @@ namespace ompl_mfa
 
     void PathTightening::removeVertices()
     {
-        for (std::size_t i = 1; i + 1 < path_.size();)
+        for (std::size_t i = 1; i + 1 < path_.size() && evaluator_.work() < workLimit_ && !evaluator_.stopped();)
         {
-            if (evaluator_.work() >= workLimit_ || !remove(i))
+            if (!remove(i))
                 ++i;
         }
     }

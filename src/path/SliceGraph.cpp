@@ -51,11 +51,15 @@ namespace ompl_mfa
         {
             for (const std::size_t from : layer)
             {
+                // the costs of motions may take as long as their checks
+                if (evaluator_.stopped())
+                    return false;
                 for (const std::size_t to : next)
                     graph_.addEdge(from, to, false);
             }
             evaluator_.addWork(layer.size() * next.size() / 2);
             layer.swap(next);
+            return true;
         };
         for (const auto &candidates : candidates_)
         {
@@ -65,11 +69,11 @@ namespace ompl_mfa
                 if (canHelp(candidates[i]))
                     next.push_back(graph_.addVertex(candidates[i], false));
             }
-            join();
+            if (!join())
+                return false;
         }
         next.assign(1, graph_.addVertex(goal, true));
         graph_.setGoal(next.front());
-        join();
-        return graph_.search(bound, work, path);
+        return join() && graph_.search(bound, work, path);
     }
 }  // namespace ompl_mfa

@@ -39,6 +39,7 @@ namespace ompl_mfa
       , origin_(chart->space())
       , satisfying_(chart->space())
       , state_(si->allocState())
+      , seed_(seed)
       , fireflies_(searchSettings(), reachAlong(*chart, origin, -1.0), reachAlong(*chart, origin, 1.0), seed)
     {
         origin_.append(origin);
@@ -66,6 +67,9 @@ namespace ompl_mfa
     bool GoalSearch::advance(const ob::PlannerTerminationCondition &ptc, Waypoints &found)
     {
         satisfying_.clear();
+        // a swarm that gathered short of the goal stays there
+        if (fireflies_.generation() >= fireflies_.settings().generations)
+            fireflies_ = FireflyOptimizer(fireflies_.settings(), fireflies_.lower(), fireflies_.upper(), ++seed_);
         fireflies_.step(*this, [&] { return !satisfying_.empty() || ptc(); });
         if (satisfying_.empty())
             return false;

@@ -119,6 +119,8 @@ namespace ompl_mfa
     {
         if (!query_->goalsComplete())
             return false;
+        const ob::Cost best(incumbent_->cost());
+        bool met = false;
         for (std::size_t i = 0; i < query_->starts().size(); ++i)
         {
             for (std::size_t j = 0; j < query_->goals().size(); ++j)
@@ -129,11 +131,13 @@ namespace ompl_mfa
                     objective_->combineCosts(objective_->combineCosts(objective_->initialCost(start),
                                                                       objective_->motionCostHeuristic(start, goal)),
                                              objective_->terminalCost(goal));
-                if (objective_->isCostBetterThan(bound, ob::Cost(incumbent_->cost())))
+                if (objective_->isCostBetterThan(bound, best))
                     return false;
+                // bounds that are all beaten are none: OMPL's default heuristic does not know of costs below identity
+                met = met || !objective_->isCostBetterThan(best, bound);
             }
         }
-        return true;
+        return met;
     }
 
     void MFA::iterate(const ob::PlannerTerminationCondition &ptc)

@@ -13,16 +13,34 @@ namespace ompl_mfa
 {
     namespace
     {
-        /* Adds the states of a path as vertices, and its motions as edges where they were found valid. */
-        void addPath(const Waypoints &path, bool checked, ob::PlannerData &data)
+        using States = std::vector<const ob::State *>;
+
+        /* The first of the ends that equals the state, which becomes one of them if there is none. */
+        const ob::State *shared(const ob::StateSpace &space, States &ends, const ob::State *state)
         {
-            data.addStartVertex(ob::PlannerDataVertex(path.front()));
-            data.addGoalVertex(ob::PlannerDataVertex(path.back()));
-            for (std::size_t i = 1; i < path.size(); ++i)
+            for (const ob::State *end : ends)
             {
-                data.addVertex(ob::PlannerDataVertex(path[i]));
+                if (space.equalStates(end, state))
+                    return end;
+            }
+            ends.push_back(state);
+            return state;
+        }
+
+        /* Adds the states of a path as vertices, one for all paths that begin or end alike, and its motions as edges
+           where they were found valid. */
+        void addPath(const Waypoints &path, bool checked, States &starts, States &goals, ob::PlannerData &data)
+        {
+            States states = path.pointers();
+            states.front() = shared(*path.space(), starts, states.front());
+            states.back() = shared(*path.space(), goals, states.back());
+            data.addStartVertex(ob::PlannerDataVertex(states.front()));
+            data.addGoalVertex(ob::PlannerDataVertex(states.back()));
+            for (std::size_t i = 1; i < states.size(); ++i)
+            {
+                data.addVertex(ob::PlannerDataVertex(states[i]));
                 if (checked)
-                    data.addEdge(ob::PlannerDataVertex(path[i - 1]), ob::PlannerDataVertex(path[i]));
+                    data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
             }
         }
     }  // namespace
@@ -54,8 +72,10 @@ namespace ompl_mfa
             plannerDataPaths_.push_back(incumbent_->path());
             checked.push_back(true);
         }
+        States starts;
+        States goals;
         for (std::size_t i = 0; i < plannerDataPaths_.size(); ++i)
-            addPath(plannerDataPaths_[i], checked[i], data);
+            addPath(plannerDataPaths_[i], checked[i], starts, goals, data);
     }
 
     std::vector<double> MFA::shares() const

@@ -1,5 +1,8 @@
 #include "ompl_mfa/planner/Query.h"
 
+#include <chrono>
+#include <thread>
+
 #include <ompl/base/goals/GoalLazySamples.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
@@ -99,17 +102,36 @@ namespace ompl_mfa
                 OMPL_ERROR("MFA: the goal cannot be sampled");
                 return ob::PlannerStatus::INVALID_GOAL;
             }
-            if (const ob::State *goal = inputs.nextGoal(ptc))
-                goals_.append(goal);
-            else
-            {
-                OMPL_ERROR("MFA: there are no valid goal states");
-                return ptc() && goal_->as<ob::GoalSampleableRegion>()->maxSampleCount() > inputs.getSampledGoalsCount()
-                           ? ob::PlannerStatus::TIMEOUT
-                           : ob::PlannerStatus::INVALID_GOAL;
-            }
+            return awaitGoal(inputs, ptc);
         }
         return ob::PlannerStatus::EXACT_SOLUTION;
+    }
+
+    ob::PlannerStatus::StatusType Query::awaitGoal(ob::PlannerInputStates &inputs,
+                                                   const ob::PlannerTerminationCondition &ptc)
+    {
+        const bool listed = dynamic_cast<const ob::GoalState *>(goal_.get()) != nullptr ||
+                            dynamic_cast<const ob::GoalStates *>(goal_.get()) != nullptr;
+        const auto *lazy = dynamic_cast<const ob::GoalLazySamples *>(goal_.get());
+        for (;;)
+        {
+            // asked before the goals are read: what its thread adds until it ends is not missed
+            const bool moreToCome = !listed || (lazy != nullptr && lazy->isSampling());
+            if (const ob::State *goal = inputs.nextGoal())
+            {
+                goals_.append(goal);
+                return ob::PlannerStatus::EXACT_SOLUTION;
+            }
+            if (!moreToCome && !inputs.haveMoreGoalStates())
+            {
+                OMPL_ERROR("MFA: there are no valid goal states");
+                return ob::PlannerStatus::INVALID_GOAL;
+            }
+            if (ptc())
+                return ob::PlannerStatus::TIMEOUT;
+            if (!inputs.haveMoreGoalStates())
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
     }
 
     bool Query::goalsComplete() const

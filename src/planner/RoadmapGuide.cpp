@@ -63,15 +63,15 @@ namespace ompl_mfa
 
     void RoadmapGuide::addEnds(const Query &query)
     {
-        for (; starts_ < query.starts().size(); ++starts_)
+        for (; starts_ < query.starts().size() && !evaluator_.stopped(); ++starts_)
             graph_.setStart(add(query.starts()[starts_], true));
-        for (; goals_ < query.goals().size(); ++goals_)
+        for (; goals_ < query.goals().size() && !evaluator_.stopped(); ++goals_)
             graph_.setGoal(add(query.goals()[goals_], true));
     }
 
     void RoadmapGuide::suggest(const Waypoints &path)
     {
-        for (std::size_t i = 1; i + 1 < path.size(); ++i)
+        for (std::size_t i = 1; i + 1 < path.size() && !evaluator_.stopped(); ++i)
             add(path[i], true);
     }
 

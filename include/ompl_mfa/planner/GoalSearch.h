@@ -14,7 +14,8 @@
 namespace ompl_mfa
 {
     /** \brief Finds states that satisfy a goal which only knows distances: fireflies over the whole state space, the
-        nearer to the goal the brighter. Every valid state that satisfies the goal is collected. */
+        nearer to the goal the brighter. Every valid state that satisfies the goal is collected. After an epoch the
+       swarm begins anew. */
     class GoalSearch : private ObjectiveFunction
     {
     public:
@@ -37,6 +38,7 @@ namespace ompl_mfa
         Waypoints origin_;
         Waypoints satisfying_;
         ompl::base::State *state_;
+        std::uint64_t seed_;
         FireflyOptimizer fireflies_;
     };
 }  // namespace ompl_mfa

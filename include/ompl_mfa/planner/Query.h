@@ -60,6 +60,9 @@ namespace ompl_mfa
         }
 
     private:
+        /** \brief Waits for a first valid goal state, but not for one that cannot come. */
+        ompl::base::PlannerStatus::StatusType awaitGoal(ompl::base::PlannerInputStates &inputs,
+                                                        const ompl::base::PlannerTerminationCondition &ptc);
         bool pollGoal(ompl::base::PlannerInputStates &inputs, const ompl::base::PlannerTerminationCondition &ptc);
 
         Waypoints starts_;

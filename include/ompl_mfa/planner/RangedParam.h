@@ -13,8 +13,9 @@
 
 namespace ompl_mfa
 {
-    /** \brief A planner parameter whose setter may refuse a value: setValue then warns on OMPL's console with the
-        parameter, the value and what is accepted, returns false and changes nothing. */
+    /** \brief A planner parameter that refuses numbers outside its range, and whose setter may refuse a value as well:
+        setValue then warns on OMPL's console with the parameter, the value and what is accepted, returns false and
+        changes nothing. */
     template <typename T>
     class RangedParam : public ompl::base::GenericParam
     {
@@ -23,7 +24,7 @@ namespace ompl_mfa
         using Getter = std::function<T()>;
 
         /** \brief \e setter throws ompl::Exception for a value that is not accepted; \e range is OMPL's range
-            suggestion. */
+            suggestion, "lowest:step:highest" or the values separated by commas. */
         RangedParam(const std::string &name, Setter setter, Getter getter, const std::string &range)
           : GenericParam(name)
           , setter_(std::move(setter))
@@ -36,7 +37,14 @@ namespace ompl_mfa
         {
             try
             {
-                setter_(boost::lexical_cast<T>(value));
+                const T typed = boost::lexical_cast<T>(value);
+                if (!isWithinRange(value))
+                {
+                    OMPL_WARN("Invalid value for parameter '%s': %s is out of range; accepted: %s", name_.c_str(),
+                              value.c_str(), rangeSuggestion_.c_str());
+                    return false;
+                }
+                setter_(typed);
             }
             catch (const boost::bad_lexical_cast &)
             {
@@ -58,6 +66,17 @@ namespace ompl_mfa
         }
 
     private:
+        /* Of the text and not of what it became: lexical_cast turns -1 into the largest unsigned number. */
+        bool isWithinRange(const std::string &value) const
+        {
+            const auto lowestEnd = rangeSuggestion_.find(':');
+            if (lowestEnd == std::string::npos)
+                return true;
+            const double number = boost::lexical_cast<double>(value);
+            return number >= boost::lexical_cast<double>(rangeSuggestion_.substr(0, lowestEnd)) &&
+                   number <= boost::lexical_cast<double>(rangeSuggestion_.substr(rangeSuggestion_.rfind(':') + 1));
+        }
+
         Setter setter_;
         Getter getter_;
     };
