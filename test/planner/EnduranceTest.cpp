@@ -1,0 +1,175 @@
+/* What a planner has to survive: cycles of solve and clear, less and less time, problem definitions that go away, and a
+   thousand solves in a row without growing. */
+
+#include <malloc.h>
+
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/util/Console.h>
+
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        class Endurance : public ::testing::TestWithParam<test::Engine>
+        {
+        protected:
+            std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, Endurance, ::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                 test::EngineName());
+
+        TEST_P(Endurance, CyclesOfSolveAndClear)
+        {
+            const auto planner = problem_->planner(GetParam());
+            for (int i = 0; i < 30; ++i)
+            {
+                const auto status = planner->solve(test::afterCalls(1 + 100 * static_cast<unsigned int>(i)));
+                if (status == ob::PlannerStatus::EXACT_SOLUTION)
+                {
+                    EXPECT_TRUE(problem_->pdef->getSolutionPath()->check());
+                }
+                if (i % 2 == 0)
+                    planner->clear();
+                if (i % 3 == 0)
+                    problem_->pdef->clearSolutionPaths();
+                if (i % 5 == 0)
+                    planner->clear();
+            }
+        }
+
+        TEST_P(Endurance, LessAndLessTime)
+        {
+            const auto planner = problem_->planner(GetParam());
+            double best = std::numeric_limits<double>::infinity();
+            for (double seconds = 0.1; seconds > 1e-7; seconds /= 2.0)
+            {
+                planner->solve(seconds);
+                EXPECT_LE(planner->bestCost(), best);
+                best = planner->bestCost();
+            }
+            for (double seconds = 0.1; seconds > 1e-7; seconds /= 2.0)
+            {
+                planner->clear();
+                problem_->pdef->clearSolutionPaths();
+                const auto status = planner->solve(seconds);
+                EXPECT_EQ(status == ob::PlannerStatus::EXACT_SOLUTION, problem_->pdef->hasExactSolution());
+                EXPECT_EQ(status == ob::PlannerStatus::APPROXIMATE_SOLUTION, problem_->pdef->hasApproximateSolution());
+            }
+        }
+
+        TEST_P(Endurance, ProblemDefinitionsThatGoAway)
+        {
+            const auto planner = test::makePlanner(problem_->si, GetParam());
+            for (int i = 0; i < 20; ++i)
+            {
+                auto pdef = std::make_shared<ob::ProblemDefinition>(problem_->si);
+                const std::vector<double> start{1.0, 1.0 + 0.1 * i};
+                pdef->setStartAndGoalStates(problem_->state(start), problem_->state({9.0, 1.0}));
+                planner->setProblemDefinition(pdef);
+                if (i % 2 == 0)
+                    planner->clear();
+                ASSERT_EQ(planner->solve(test::untilExact(pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+                const auto &path = *pdef->getSolutionPath()->as<og::PathGeometric>();
+                EXPECT_TRUE(problem_->si->equalStates(path.getState(0), problem_->state(start).get()));
+                planner->setProblemDefinition(ob::ProblemDefinitionPtr());
+                pdef.reset();
+                // what is asked of it without a problem definition must not touch the old one
+                ob::PlannerData data(problem_->si);
+                planner->getPlannerData(data);
+                planner->clear();
+            }
+        }
+
+        TEST_P(Endurance, APlannerMayGoBeforeItsProblemDefinition)
+        {
+            auto planner = problem_->planner(GetParam());
+            planner->solve(test::untilExact(problem_->pdef));
+            planner.reset();
+            EXPECT_TRUE(problem_->pdef->getSolutionPath()->check());
+            problem_.reset();
+        }
+
+        TEST_P(Endurance, TheSameQueryInAnotherProblemDefinitionIsAnswered)
+        {
+            const auto planner = problem_->planner(GetParam());
+            ASSERT_EQ(planner->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            const auto copy = std::make_shared<ob::ProblemDefinition>(problem_->si);
+            copy->addStartState(problem_->state({1.0, 1.0}));
+            copy->setGoal(problem_->pdef->getGoal());
+            planner->setProblemDefinition(copy);
+            EXPECT_EQ(planner->solve(test::untilExact(copy)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_TRUE(copy->hasExactSolution());
+        }
+
+        /* Bytes that are allocated and not freed. Sanitizers replace the allocator, count nothing here and find leaks
+           by themselves. */
+        std::size_t bytesInUse()
+        {
+            const auto info = mallinfo2();
+            return info.uordblks + info.hblkhd;
+        }
+
+        TEST_P(Endurance, AThousandSolvesDoNotGrow)
+        {
+            const auto level = ompl::msg::getLogLevel();
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+            const auto planner = problem_->planner(GetParam());
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            goals->addState(problem_->state({9.0, 1.0}));
+            goals->addState(problem_->state({9.0, 2.0}));
+            problem_->pdef->setGoal(goals);
+            std::size_t early = 0;
+            for (int i = 0; i < 1000; ++i)
+            {
+                planner->solve(test::afterCalls(200));
+                ob::PlannerData data(problem_->si);
+                planner->getPlannerData(data);
+                planner->clear();
+                problem_->pdef->clearSolutionPaths();
+                if (i == 200)
+                    early = bytesInUse();
+            }
+            // 800 solves more; a state that was forgotten in each would be 800 times 48 bytes
+            EXPECT_LT(bytesInUse(), early + 16 * 1024);
+            ompl::msg::setLogLevel(level);
+        }
+
+        TEST_P(Endurance, AThousandPlannersLeaveNothing)
+        {
+            const auto level = ompl::msg::getLogLevel();
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+            std::size_t early = 0;
+            for (int i = 0; i < 1000; ++i)
+            {
+                const auto planner = problem_->planner(GetParam(), static_cast<unsigned int>(i + 1));
+                planner->solve(test::afterCalls(200));
+                problem_->pdef->clearSolutionPaths();
+                if (i == 200)
+                    early = bytesInUse();
+            }
+            EXPECT_LT(bytesInUse(), early + 16 * 1024);
+            ompl::msg::setLogLevel(level);
+        }
+
+        TEST_P(Endurance, ALongSearchDoesNotGrow)
+        {
+            const auto planner = problem_->planner(GetParam());
+            planner->solve(test::afterCalls(30000));
+            const std::size_t early = bytesInUse();
+            planner->solve(test::afterCalls(30000));
+            planner->solve(test::afterCalls(30000));
+            EXPECT_LT(bytesInUse(), early + 256 * 1024);
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,149 @@
+#include <memory>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/PlannerData.h>
+
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        class Report : public ::testing::TestWithParam<test::Engine>
+        {
+        protected:
+            std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
+            std::shared_ptr<MFA> planner_ = problem_->planner(GetParam());
+            ob::PlannerData data_{problem_->si};
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, Report, ::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                 test::EngineName());
+
+        TEST_P(Report, PlannerDataIsEmptyBeforeTheSearch)
+        {
+            planner_->getPlannerData(data_);
+            EXPECT_EQ(data_.numVertices(), 0U);
+        }
+
+        TEST_P(Report, PlannerDataMarksStartAndGoalOnce)
+        {
+            planner_->solve(test::afterCalls(3000));
+            planner_->getPlannerData(data_);
+            ASSERT_EQ(data_.numStartVertices(), 1U);
+            ASSERT_EQ(data_.numGoalVertices(), 1U);
+            const auto &space = problem_->si->getStateSpace();
+            EXPECT_TRUE(space->equalStates(data_.getStartVertex(0).getState(), problem_->pdef->getStartState(0)));
+            EXPECT_TRUE(problem_->pdef->getGoal()->isSatisfied(data_.getGoalVertex(0).getState()));
+            EXPECT_GT(data_.numVertices(), 20U);
+        }
+
+        TEST_P(Report, EveryEdgeOfThePlannerDataIsAValidMotion)
+        {
+            planner_->solve(test::afterCalls(3000));
+            planner_->getPlannerData(data_);
+            EXPECT_GT(data_.numEdges(), 0U);
+            for (unsigned int i = 0; i < data_.numVertices(); ++i)
+            {
+                std::vector<unsigned int> targets;
+                data_.getEdges(i, targets);
+                for (const unsigned int j : targets)
+                {
+                    EXPECT_TRUE(
+                        problem_->si->checkMotion(data_.getVertex(i).getState(), data_.getVertex(j).getState()));
+                }
+            }
+        }
+
+        TEST_P(Report, TheSolutionIsAWayThroughThePlannerData)
+        {
+            ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            planner_->solve(test::afterCalls(2000));
+            planner_->getPlannerData(data_);
+            // all that can be reached from the start
+            std::set<unsigned int> seen{data_.getStartIndex(0)};
+            std::vector<unsigned int> left{data_.getStartIndex(0)};
+            while (!left.empty())
+            {
+                std::vector<unsigned int> targets;
+                data_.getEdges(left.back(), targets);
+                left.pop_back();
+                for (const unsigned int j : targets)
+                {
+                    if (seen.insert(j).second)
+                        left.push_back(j);
+                }
+            }
+            EXPECT_EQ(seen.count(data_.getGoalIndex(0)), 1U);
+        }
+
+        TEST_P(Report, PlannerDataOutlivesThePlannerOnceDecoupled)
+        {
+            planner_->solve(test::afterCalls(3000));
+            planner_->getPlannerData(data_);
+            data_.decoupleFromPlanner();
+            const unsigned int vertices = data_.numVertices();
+            planner_.reset();
+            EXPECT_EQ(data_.numVertices(), vertices);
+            for (unsigned int i = 0; i < vertices; ++i)
+                EXPECT_TRUE(problem_->si->satisfiesBounds(data_.getVertex(i).getState()));
+        }
+
+        TEST_P(Report, PlannerDataHoldsTheProgressProperties)
+        {
+            planner_->solve(test::afterCalls(3000));
+            planner_->getPlannerData(data_);
+            EXPECT_EQ(data_.properties.count("best cost REAL"), 1U);
+        }
+
+        TEST_P(Report, PlannerDataMayBeAskedForInACallback)
+        {
+            unsigned int vertices = 0;
+            problem_->pdef->setIntermediateSolutionCallback(
+                [&](const ob::Planner *planner, const std::vector<const ob::State *> &, const ob::Cost)
+                {
+                    ob::PlannerData data(problem_->si);
+                    planner->getPlannerData(data);
+                    vertices = data.numVertices();
+                });
+            planner_->solve(test::untilExact(problem_->pdef));
+            EXPECT_GE(vertices, 2U);
+        }
+
+        TEST_P(Report, TheSwarmsPathsRunFromStartToGoal)
+        {
+            EXPECT_TRUE(planner_->getSwarmPaths().empty());
+            EXPECT_TRUE(planner_->getSlicePaths().empty());
+            planner_->solve(test::afterCalls(3000));
+            auto paths = planner_->getSwarmPaths();
+            ASSERT_FALSE(paths.empty());
+            const auto &space = problem_->si->getStateSpace();
+            for (auto &path : paths)
+            {
+                EXPECT_TRUE(space->equalStates(path.getState(0), problem_->pdef->getStartState(0)));
+                EXPECT_TRUE(problem_->pdef->getGoal()->isSatisfied(path.getState(path.getStateCount() - 1)));
+                for (const ob::State *state : path.getStates())
+                    EXPECT_TRUE(space->satisfiesBounds(state));
+            }
+        }
+
+        TEST_P(Report, TheSlicesEndWithinTheBounds)
+        {
+            planner_->solve(test::afterCalls(1000));
+            auto slices = planner_->getSlicePaths();
+            ASSERT_FALSE(slices.empty());
+            for (auto &slice : slices)
+            {
+                EXPECT_EQ(slice.getStateCount(), 2U);
+                for (const ob::State *state : slice.getStates())
+                    EXPECT_TRUE(problem_->si->satisfiesBounds(state));
+            }
+        }
+    }  // namespace
+}  // namespace ompl_mfa

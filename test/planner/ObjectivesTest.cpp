@@ -1,0 +1,337 @@
+/* MFA asks the objective, and nothing else, what a path costs and which is better. */
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
+#include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
+#include <ompl/base/objectives/MinimaxObjective.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/objectives/StateCostIntegralObjective.h>
+
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* How far a state is above the line y = 2; what costs there is. */
+        double height(const ob::State *state)
+        {
+            return 1.0 + std::abs(test::coordinate(state, 1) - 2.0);
+        }
+
+        class HeightIntegral : public ob::StateCostIntegralObjective
+        {
+        public:
+            explicit HeightIntegral(const ob::SpaceInformationPtr &si)
+              : StateCostIntegralObjective(si, true)
+            {
+            }
+
+            ob::Cost stateCost(const ob::State *state) const override
+            {
+                return ob::Cost(height(state));
+            }
+        };
+
+        class Height : public ob::MinimaxObjective
+        {
+        public:
+            using MinimaxObjective::MinimaxObjective;
+
+            ob::Cost stateCost(const ob::State *state) const override
+            {
+                return ob::Cost(height(state));
+            }
+        };
+
+        class HeightWork : public ob::MechanicalWorkOptimizationObjective
+        {
+        public:
+            using MechanicalWorkOptimizationObjective::MechanicalWorkOptimizationObjective;
+
+            ob::Cost stateCost(const ob::State *state) const override
+            {
+                return ob::Cost(height(state));
+            }
+        };
+
+        /* Costs that depend on the direction, and an end that costs too. */
+        class Uphill : public ob::OptimizationObjective
+        {
+        public:
+            using OptimizationObjective::OptimizationObjective;
+
+            ob::Cost stateCost(const ob::State *) const override
+            {
+                return ob::Cost(0.0);
+            }
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                const double rise = test::coordinate(to, 1) - test::coordinate(from, 1);
+                return ob::Cost(si_->distance(from, to) + 3.0 * std::max(0.0, rise));
+            }
+
+            ob::Cost initialCost(const ob::State *) const override
+            {
+                return ob::Cost(2.0);
+            }
+
+            ob::Cost terminalCost(const ob::State *) const override
+            {
+                return ob::Cost(5.0);
+            }
+        };
+
+        /* More is better, and paths multiply: nothing of path length is left. */
+        class Reliability : public ob::OptimizationObjective
+        {
+        public:
+            explicit Reliability(const ob::SpaceInformationPtr &si)
+              : OptimizationObjective(si)
+            {
+                // OMPL's default of 0 would be met by any path
+                setCostThreshold(ob::Cost(2.0));
+            }
+
+            bool isCostBetterThan(ob::Cost a, ob::Cost b) const override
+            {
+                return a.value() > b.value();
+            }
+
+            ob::Cost combineCosts(ob::Cost a, ob::Cost b) const override
+            {
+                return ob::Cost(a.value() * b.value());
+            }
+
+            ob::Cost identityCost() const override
+            {
+                return ob::Cost(1.0);
+            }
+
+            ob::Cost infiniteCost() const override
+            {
+                return ob::Cost(0.0);
+            }
+
+            ob::Cost stateCost(const ob::State *) const override
+            {
+                return identityCost();
+            }
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                return ob::Cost(std::exp(-0.1 * si_->distance(from, to)));
+            }
+        };
+
+        class WallDistance : public ob::StateValidityChecker
+        {
+        public:
+            using StateValidityChecker::StateValidityChecker;
+
+            bool isValid(const ob::State *state) const override
+            {
+                return clearance(state) > 0.0;
+            }
+
+            /* The distance from the wall 4.5 < x < 5.5, y < 6. */
+            double clearance(const ob::State *state) const override
+            {
+                const double dx = std::max({0.0, 4.5 - test::coordinate(state, 0), test::coordinate(state, 0) - 5.5});
+                return std::hypot(dx, std::max(0.0, test::coordinate(state, 1) - 6.0));
+            }
+        };
+
+        struct NamedObjective
+        {
+            std::string name;
+            std::function<ob::OptimizationObjectivePtr(const ob::SpaceInformationPtr &)> make;
+        };
+
+        std::ostream &operator<<(std::ostream &out, const NamedObjective &objective)
+        {
+            return out << objective.name;
+        }
+
+        template <typename Objective>
+        NamedObjective named(const std::string &name)
+        {
+            return {name, [](const ob::SpaceInformationPtr &si) { return std::make_shared<Objective>(si); }};
+        }
+
+        ob::OptimizationObjectivePtr weightedSum(const ob::SpaceInformationPtr &si)
+        {
+            const auto sum = std::make_shared<ob::MultiOptimizationObjective>(si);
+            sum->addObjective(std::make_shared<ob::PathLengthOptimizationObjective>(si), 2.0);
+            sum->addObjective(std::make_shared<HeightIntegral>(si), 0.5);
+            sum->lock();
+            return sum;
+        }
+
+        using Case = std::tuple<NamedObjective, test::Engine>;
+
+        class EveryObjective : public ::testing::TestWithParam<Case>
+        {
+        protected:
+            EveryObjective()
+            {
+                problem_->si->setStateValidityChecker(std::make_shared<WallDistance>(problem_->si));
+                problem_->si->setup();
+                objective_ = std::get<0>(GetParam()).make(problem_->si);
+                problem_->pdef->setOptimizationObjective(objective_);
+                planner_ = problem_->planner(std::get<1>(GetParam()));
+            }
+
+            og::PathGeometric path() const
+            {
+                return *problem_->pdef->getSolutionPath()->as<og::PathGeometric>();
+            }
+
+            std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
+            ob::OptimizationObjectivePtr objective_;
+            std::shared_ptr<MFA> planner_;
+        };
+
+        struct CaseName
+        {
+            template <typename Info>
+            std::string operator()(const Info &info) const
+            {
+                return std::get<0>(info.param).name +
+                       (std::get<1>(info.param) == test::Engine::Paper ? "Paper" : "Default");
+            }
+        };
+
+        INSTANTIATE_TEST_SUITE_P(
+            Planner, EveryObjective,
+            ::testing::Combine(::testing::Values(named<ob::PathLengthOptimizationObjective>("PathLength"),
+                                                 named<HeightIntegral>("StateCostIntegral"),
+                                                 named<ob::MaximizeMinClearanceObjective>("MaximizeMinClearance"),
+                                                 named<HeightWork>("MechanicalWork"),
+                                                 NamedObjective{"WeightedSum", weightedSum}, named<Height>("Minimax"),
+                                                 named<Uphill>("Asymmetric"), named<Reliability>("Product")),
+                               ::testing::Values(test::Engine::Default, test::Engine::Paper)),
+            CaseName());
+
+        TEST_P(EveryObjective, ImprovesMonotonicallyAndReportsItsCost)
+        {
+            std::vector<ob::Cost> costs;
+            problem_->pdef->setIntermediateSolutionCallback(
+                [&costs](const ob::Planner *, const std::vector<const ob::State *> &, const ob::Cost cost)
+                { costs.push_back(cost); });
+            ASSERT_EQ(planner_->solve(test::afterCalls(20000)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_TRUE(path().check());
+            ASSERT_FALSE(costs.empty());
+            for (std::size_t i = 1; i < costs.size(); ++i)
+                EXPECT_TRUE(objective_->isCostBetterThan(costs[i], costs[i - 1]));
+            const double cost = path().cost(objective_).value();
+            EXPECT_NEAR(costs.back().value(), cost, 1e-9 * std::abs(cost));
+            EXPECT_NEAR(planner_->bestCost(), cost, 1e-9 * std::abs(cost));
+            EXPECT_NEAR(problem_->reportedCost(), cost, 1e-9 * std::abs(cost));
+        }
+
+        TEST_P(EveryObjective, GetsBetterThanTheShortestWayOrAsGood)
+        {
+            planner_->solve(test::afterCalls(20000));
+            og::PathGeometric shortest(problem_->si);
+            for (const auto &[x, y] :
+                 std::vector<std::pair<double, double>>{{1, 1}, {4.45, 6.05}, {5.55, 6.05}, {9, 1}})
+                shortest.append(problem_->state({x, y}).get());
+            ASSERT_TRUE(shortest.check());
+            const double known = shortest.cost(objective_).value();
+            // by a swarm of 20 on 5 slices, and without guide or tightening: close is enough
+            const double close =
+                objective_->isCostBetterThan(ob::Cost(1.0), ob::Cost(2.0)) ? 1.15 * known : known / 1.15;
+            EXPECT_FALSE(objective_->isCostBetterThan(ob::Cost(close), ob::Cost(planner_->bestCost())))
+                << planner_->bestCost() << " against " << known;
+        }
+
+        TEST_P(EveryObjective, StopsOnceTheThresholdIsMet)
+        {
+            ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            const double first = planner_->bestCost();
+            // what was reached once is asked for again, a little less
+            objective_->setCostThreshold(
+                ob::Cost(objective_->isCostBetterThan(ob::Cost(1.0), ob::Cost(2.0)) ? 1.01 * first : first / 1.01));
+            planner_->clear();
+            problem_->pdef->clearSolutionPaths();
+            ASSERT_EQ(planner_->solve(test::afterCalls(1000000)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_TRUE(objective_->isSatisfied(ob::Cost(planner_->bestCost())));
+            EXPECT_TRUE(problem_->pdef->hasOptimizedSolution());
+            EXPECT_LT(planner_->evaluations(), 900000U);
+        }
+
+        TEST_P(EveryObjective, IsNotCalledOptimizedBelowTheThreshold)
+        {
+            const bool lessIsBetter = objective_->isCostBetterThan(ob::Cost(1.0), ob::Cost(2.0));
+            objective_->setCostThreshold(ob::Cost(lessIsBetter ? 1e-9 : 1e9));
+            ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_FALSE(problem_->pdef->hasOptimizedSolution());
+        }
+
+        /* A user's own objective whose motions may earn something, so that no bound holds that OMPL would give. */
+        class Earning : public ob::OptimizationObjective
+        {
+        public:
+            explicit Earning(const ob::SpaceInformationPtr &si)
+              : OptimizationObjective(si)
+            {
+                // OMPL's default of 0 would be met by any path
+                setCostThreshold(ob::Cost(-1e9));
+            }
+
+            ob::Cost stateCost(const ob::State *) const override
+            {
+                return ob::Cost(0.0);
+            }
+
+            /* The farther up, the more is earned on the way. */
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                const double up = 0.5 * (test::coordinate(from, 1) + test::coordinate(to, 1));
+                return ob::Cost(-up * std::abs(test::coordinate(to, 0) - test::coordinate(from, 0)));
+            }
+        };
+
+        class Objectives : public ::testing::TestWithParam<test::Engine>
+        {
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, Objectives, ::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                 test::EngineName());
+
+        TEST_P(Objectives, ABoundThatAPathBeatsIsNoBound)
+        {
+            const auto problem = test::freeProblem();
+            problem->pdef->setOptimizationObjective(std::make_shared<Earning>(problem->si));
+            const auto planner = problem->planner(GetParam());
+            ASSERT_EQ(planner->solve(test::afterCalls(20000)), ob::PlannerStatus::EXACT_SOLUTION);
+            // the straight motion earns 8; the identity cost, which OMPL gives as heuristic, is 0
+            EXPECT_LT(planner->bestCost(), -20.0);
+        }
+
+        TEST_P(Objectives, WithoutOneThePathLengthIsTaken)
+        {
+            const auto problem = test::wallProblem();
+            const auto planner = problem->planner(GetParam());
+            ASSERT_EQ(planner->solve(test::afterCalls(20000)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_NEAR(planner->bestCost(), problem->path().length(), 1e-9);
+            EXPECT_GE(planner->bestCost(), test::wallOptimum() - 0.2);
+            EXPECT_LE(planner->bestCost(), 1.1 * test::wallOptimum());
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,284 @@
+/* Two thousand random problems, each solved within a few milliseconds: whatever comes out must be true. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
+#include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
+#include <ompl/base/objectives/StateCostIntegralObjective.h>
+#include <ompl/util/Console.h>
+
+#include "ompl_mfa/path/StateChart.h"
+#include "planner/DistanceGoal.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr unsigned int PROBLEMS_A_SPACE = 334;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        constexpr double SLOWDOWN = 20.0;
+#else
+        constexpr double SLOWDOWN = 1.0;
+#endif
+
+        /* Seconds of this process on a processor: what other programs do on a loaded machine is not counted. */
+        double processorTime()
+        {
+            timespec time{};
+            clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+            return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+        }
+
+        /* Balls in the positions of a space. */
+        class Balls : public ob::StateValidityChecker
+        {
+        public:
+            Balls(const ob::SpaceInformationPtr &si, unsigned int count, ompl::RNG &rng)
+              : StateValidityChecker(si)
+              , chart_(si->getStateSpace())
+              , centers_(chart_.positionDimension(), count)
+              , positions_(chart_.positionDimension())
+            {
+                for (Eigen::Index i = 0; i < centers_.size(); ++i)
+                    centers_(i) = rng.uniformReal(-10.0, 10.0);
+                for (unsigned int i = 0; i < count; ++i)
+                    radii_.push_back(rng.uniformReal(0.5, 2.5) * std::sqrt(0.5 * static_cast<double>(centers_.rows())));
+            }
+
+            bool isValid(const ob::State *state) const override
+            {
+                return clearance(state) > 0.0;
+            }
+
+            double clearance(const ob::State *state) const override
+            {
+                chart_.positions(state, positions_);
+                double nearest = 20.0;
+                for (Eigen::Index i = 0; i < centers_.cols(); ++i)
+                    nearest = std::min(nearest, (centers_.col(i) - positions_).norm() - radii_[i]);
+                return nearest;
+            }
+
+        private:
+            StateChart chart_;
+            Eigen::MatrixXd centers_;
+            mutable Eigen::VectorXd positions_;
+            std::vector<double> radii_;
+        };
+
+        /* What came out of the problems of one space. */
+        struct Tally
+        {
+            unsigned int exact{0};
+            unsigned int approximate{0};
+            unsigned int timeouts{0};
+            double longestOverrun{0.0};
+        };
+
+        class RandomProblem
+        {
+        public:
+            RandomProblem(const ob::StateSpacePtr &space, unsigned int number)
+              : rng_(1 + number)
+              , number_(number)
+              , si_(std::make_shared<ob::SpaceInformation>(space))
+            {
+                si_->setStateValidityChecker(std::make_shared<Balls>(si_, number % 12, rng_));
+                si_->setup();
+                pdef_ = std::make_shared<ob::ProblemDefinition>(si_);
+            }
+
+            /* False if no valid start and goal were found. */
+            bool make()
+            {
+                const ob::StateSpacePtr &space = si_->getStateSpace();
+                const StateChart chart(space);
+                std::vector<ob::ScopedState<>> ends;
+                for (int i = 0; i < 100 && ends.size() < 4; ++i)
+                {
+                    ob::ScopedState<> state(space);
+                    chart.sampleUniform(rng_, state.get());
+                    if (si_->isValid(state.get()))
+                        ends.push_back(state);
+                }
+                if (ends.size() < 4)
+                    return false;
+                pdef_->addStartState(ends[0]);
+                if (number_ % 5 == 1)
+                    pdef_->addStartState(ends[1]);
+                pdef_->setGoal(goal(ends[2].get(), ends[3].get()));
+                pdef_->setOptimizationObjective(objective());
+                return true;
+            }
+
+            void solve(Tally &tally)
+            {
+                const std::array<const char *, 4> sizes{"4", "10", "30", "100"};
+                MFA planner(si_);
+                test::set(planner, "population_size", sizes[number_ % sizes.size()]);
+                test::set(planner, "slices", std::to_string(1 + number_ % 17));
+                test::set(planner, "seed", std::to_string(1 + number_));
+                if (number_ % 3 == 0)
+                    test::set(planner, "variant", number_ % 2 == 0 ? "fa" : "mfa");
+                planner.setProblemDefinition(pdef_);
+                planner.setup();
+                // some are solved in two goes
+                for (unsigned int i = 0; i < 1 + number_ % 2; ++i)
+                {
+                    const ob::PlannerStatus status = timedSolve(planner, tally);
+                    check(planner, status, tally);
+                }
+            }
+
+        private:
+            ob::GoalPtr goal(const ob::State *first, const ob::State *second)
+            {
+                if (number_ % 7 == 3)
+                {
+                    return std::make_shared<test::DistanceGoal>(si_, first,
+                                                                0.05 * si_->getStateSpace()->getMaximumExtent());
+                }
+                const auto goals = std::make_shared<ob::GoalStates>(si_);
+                goals->addState(first);
+                if (number_ % 7 == 5)
+                    goals->addState(second);
+                return goals;
+            }
+
+            ob::OptimizationObjectivePtr objective() const
+            {
+                switch (number_ % 11)
+                {
+                    case 3:
+                        return std::make_shared<ob::MaximizeMinClearanceObjective>(si_);
+                    case 5:
+                        return std::make_shared<ob::StateCostIntegralObjective>(si_, true);
+                    case 7:
+                        return std::make_shared<ob::MechanicalWorkOptimizationObjective>(si_);
+                    case 9:
+                        return nullptr;
+                    default:
+                        return std::make_shared<ob::PathLengthOptimizationObjective>(si_);
+                }
+            }
+
+            /* The overrun is the processor time since the condition was last seen false: wherever in between the
+               limit was, it was not overrun by more. */
+            ob::PlannerStatus timedSolve(MFA &planner, Tally &tally)
+            {
+                const double limit = processorTime() + SLOWDOWN * rng_.uniformReal(0.0, 0.03);
+                double lastFalse = processorTime();
+                const ob::PlannerTerminationCondition ptc(
+                    [&]
+                    {
+                        const double now = processorTime();
+                        if (now >= limit)
+                            return true;
+                        lastFalse = now;
+                        return false;
+                    });
+                const ob::PlannerStatus status = planner.solve(ptc);
+                if (processorTime() >= limit)
+                {
+                    const double overrun = processorTime() - std::max(lastFalse, limit);
+                    EXPECT_LT(overrun, SLOWDOWN * 0.01) << "problem " << number_;
+                    tally.longestOverrun = std::max(tally.longestOverrun, overrun);
+                }
+                return status;
+            }
+
+            void check(const MFA &planner, const ob::PlannerStatus &status, Tally &tally) const
+            {
+                if (status == ob::PlannerStatus::TIMEOUT)
+                {
+                    ++tally.timeouts;
+                    EXPECT_FALSE(pdef_->hasSolution()) << "problem " << number_;
+                    return;
+                }
+                ASSERT_TRUE(status) << status.asString() << ", problem " << number_;
+                auto &path = *pdef_->getSolutionPath()->as<og::PathGeometric>();
+                EXPECT_TRUE(path.check()) << status.asString() << ", problem " << number_;
+                const ob::State *last = path.getState(path.getStateCount() - 1);
+                const auto &space = si_->getStateSpace();
+                bool fromStart = false;
+                for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i)
+                    fromStart = fromStart || space->equalStates(path.getState(0), pdef_->getStartState(i));
+                EXPECT_TRUE(fromStart) << "problem " << number_;
+                double distance = 0.0;
+                const bool reached = pdef_->getGoal()->isSatisfied(last, &distance);
+                if (status == ob::PlannerStatus::EXACT_SOLUTION)
+                {
+                    ++tally.exact;
+                    EXPECT_TRUE(reached) << "problem " << number_;
+                    EXPECT_TRUE(pdef_->hasExactSolution()) << "problem " << number_;
+                    if (const auto &objective = pdef_->getOptimizationObjective())
+                    {
+                        const double cost = path.cost(objective).value();
+                        EXPECT_NEAR(planner.bestCost(), cost, 1e-6 * std::abs(cost)) << "problem " << number_;
+                    }
+                }
+                else
+                {
+                    ++tally.approximate;
+                    EXPECT_EQ(pdef_->getSolutionDifference(), distance) << "problem " << number_;
+                }
+            }
+
+            ompl::RNG rng_;
+            unsigned int number_;
+            ob::SpaceInformationPtr si_;
+            ob::ProblemDefinitionPtr pdef_;
+        };
+
+        class RandomProblems : public ::testing::TestWithParam<test::NamedSpace>
+        {
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, RandomProblems,
+                                 ::testing::Values(test::NamedSpace{"R2", [] { return test::realVectorSpace(2); }},
+                                                   test::NamedSpace{"R6", [] { return test::realVectorSpace(6); }},
+                                                   test::NamedSpace{"SE2", [] { return test::se2Space(); }},
+                                                   test::NamedSpace{"SE3", [] { return test::se3Space(); }},
+                                                   test::NamedSpace{"TwoSE2", test::twoSe2Space},
+                                                   test::NamedSpace{"ReedsShepp",
+                                                                    [] { return test::reedsSheppSpace(); }}),
+                                 test::SpaceName());
+
+        TEST_P(RandomProblems, AreAnsweredTrulyAndInTime)
+        {
+            const auto level = ompl::msg::getLogLevel();
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+            Tally tally;
+            unsigned int solved = 0;
+            for (unsigned int number = 0; solved < PROBLEMS_A_SPACE; ++number)
+            {
+                RandomProblem problem(GetParam().make(), number);
+                if (!problem.make())
+                    continue;
+                problem.solve(tally);
+                ++solved;
+            }
+            ompl::msg::setLogLevel(level);
+            std::cout << GetParam().name << ": " << solved << " problems, " << tally.exact << " exact, "
+                      << tally.approximate << " approximate, " << tally.timeouts << " without a path; longest overrun "
+                      << 1e3 * tally.longestOverrun << " ms\n";
+            EXPECT_GT(tally.exact, solved / 2);
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,201 @@
+/* MFA in every state space that it supports, and its refusal of the others. */
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/spaces/DiscreteStateSpace.h>
+#include <ompl/geometric/SimpleSetup.h>
+#include <ompl/util/Exception.h>
+
+#include "ompl_mfa/path/StateChart.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Every value of a state that is a position is kept out of a ball around the middle of the space; without
+           positions, the first rotation out of an interval. */
+        class Obstacle
+        {
+        public:
+            explicit Obstacle(const ob::StateSpacePtr &space)
+              : space_(space)
+              , chart_(space)
+            {
+            }
+
+            bool isValid(const ob::State *state) const
+            {
+                Eigen::VectorXd positions(chart_.positionDimension());
+                chart_.positions(state, positions);
+                if (positions.size() > 1)
+                    return positions.norm() > 2.0;
+                return true;
+            }
+
+        private:
+            ob::StateSpacePtr space_;
+            StateChart chart_;
+        };
+
+        using Case = std::tuple<test::NamedSpace, test::Engine>;
+
+        class EverySpace : public ::testing::TestWithParam<Case>
+        {
+        protected:
+            EverySpace()
+              : space_(std::get<0>(GetParam()).make())
+            {
+                const auto obstacle = std::make_shared<Obstacle>(space_);
+                si_ = std::make_shared<ob::SpaceInformation>(space_);
+                si_->setStateValidityChecker([obstacle](const ob::State *state) { return obstacle->isValid(state); });
+                si_->setup();
+            }
+
+            /* On opposite sides of the obstacle and at random rotations. */
+            ob::ProblemDefinitionPtr problem(unsigned int number) const
+            {
+                ompl::RNG rng(100 + number);
+                const StateChart chart(space_);
+                const auto pdef = std::make_shared<ob::ProblemDefinition>(si_);
+                ob::ScopedState<> start(space_);
+                ob::ScopedState<> goal(space_);
+                chart.sampleUniform(rng, start.get());
+                chart.sampleUniform(rng, goal.get());
+                const Eigen::Index n = chart.positionDimension();
+                // the nested space has a coordinate that ends at -2 (scaled by its weight: -3)
+                chart.setPositions(Eigen::VectorXd::Constant(n, n == 1 ? -3.0 : -2.5), start.get());
+                chart.setPositions(Eigen::VectorXd::Constant(n, 2.5), goal.get());
+                pdef->setStartAndGoalStates(start, goal);
+                return pdef;
+            }
+
+            ob::StateSpacePtr space_;
+            ob::SpaceInformationPtr si_;
+        };
+
+        struct CaseName
+        {
+            template <typename Info>
+            std::string operator()(const Info &info) const
+            {
+                return std::get<0>(info.param).name +
+                       (std::get<1>(info.param) == test::Engine::Paper ? "Paper" : "Default");
+            }
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, EverySpace,
+                                 ::testing::Combine(::testing::ValuesIn(test::supportedSpaces()),
+                                                    ::testing::Values(test::Engine::Default, test::Engine::Paper)),
+                                 CaseName());
+
+        TEST_P(EverySpace, IsSolvedWithAPathThatPassesItsCheck)
+        {
+            for (unsigned int number = 0; number < 3; ++number)
+            {
+                const auto pdef = problem(number);
+                const auto planner = test::makePlanner(si_, std::get<1>(GetParam()));
+                planner->setProblemDefinition(pdef);
+                ASSERT_EQ(planner->solve(test::untilExact(pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+                auto &path = *pdef->getSolutionPath()->as<og::PathGeometric>();
+                EXPECT_TRUE(path.check());
+                EXPECT_TRUE(space_->equalStates(path.getState(0), pdef->getStartState(0)));
+                EXPECT_TRUE(pdef->getGoal()->isSatisfied(path.getState(path.getStateCount() - 1)));
+                for (const ob::State *state : path.getStates())
+                    EXPECT_TRUE(space_->satisfiesBounds(state));
+                const ob::PathLengthOptimizationObjective length(si_);
+                EXPECT_NEAR(planner->bestCost(), path.length(), 1e-9);
+                EXPECT_FALSE(length.isCostBetterThan(
+                    ob::Cost(planner->bestCost()),
+                    length.motionCostHeuristic(pdef->getStartState(0), path.getState(path.getStateCount() - 1))))
+                    << "shorter than the distance";
+            }
+        }
+
+        class Refusal : public ::testing::Test
+        {
+        protected:
+            static std::string of(const ob::StateSpacePtr &space)
+            {
+                const auto si = std::make_shared<ob::SpaceInformation>(space);
+                si->setStateValidityChecker([](const ob::State *) { return true; });
+                si->setup();
+                MFA planner(si);
+                try
+                {
+                    planner.setup();
+                }
+                catch (const ompl::Exception &error)
+                {
+                    return error.what();
+                }
+                return "accepted";
+            }
+        };
+
+        TEST_F(Refusal, ComesFromSetupAndNamesTheSubspace)
+        {
+            const auto gears = std::make_shared<ob::DiscreteStateSpace>(1, 5);
+            gears->setName("gears");
+            for (const auto &space : {ob::StateSpacePtr(gears), test::compoundSpace({test::se2Space(), gears}, {1, 1})})
+            {
+                const std::string message = of(space);
+                EXPECT_NE(message.find("'gears'"), std::string::npos) << message;
+                EXPECT_NE(message.find("SE(2)"), std::string::npos) << message;
+            }
+        }
+
+        TEST(SimpleSetup, TakesThePlannerWithoutAnythingElse)
+        {
+            og::SimpleSetup setup(test::realVectorSpace(2, 0.0, 10.0));
+            setup.setStateValidityChecker(
+                [](const ob::State *state)
+                {
+                    const double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                    return std::hypot(values[0] - 5.0, values[1] - 5.0) > 2.0;
+                });
+            ob::ScopedState<> start(setup.getStateSpace());
+            ob::ScopedState<> goal(setup.getStateSpace());
+            start[0] = start[1] = 1.0;
+            goal[0] = goal[1] = 9.0;
+            setup.setStartAndGoalStates(start, goal);
+            setup.setPlanner(std::make_shared<MFA>(setup.getSpaceInformation()));
+            EXPECT_EQ(setup.solve(0.3), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_TRUE(setup.haveExactSolutionPath());
+            setup.simplifySolution();
+            EXPECT_TRUE(setup.getSolutionPath().check());
+            EXPECT_EQ(setup.getSolutionPlannerName(), "MFA");
+        }
+
+        TEST(CurvedSpaces, CostsAndWaypointsAreTheSpacesOwn)
+        {
+            // a car that cannot reverse has to turn around: far longer than the distance of the positions
+            const auto space = test::dubinsSpace(false);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            si->setStateValidityChecker([](const ob::State *) { return true; });
+            si->setup();
+            const auto pdef = std::make_shared<ob::ProblemDefinition>(si);
+            ob::ScopedState<> start(space);
+            ob::ScopedState<> goal(space);
+            start[0] = 2.0;
+            goal[0] = -2.0;
+            start[1] = goal[1] = start[2] = goal[2] = 0.0;
+            pdef->setStartAndGoalStates(start, goal);
+            const auto planner = test::makePlanner(si, test::Engine::Default);
+            planner->setProblemDefinition(pdef);
+            ASSERT_EQ(planner->solve(test::afterCalls(3000)), ob::PlannerStatus::EXACT_SOLUTION);
+            // with no obstacle the optimum is the Dubins curve itself
+            EXPECT_NEAR(planner->bestCost(), space->distance(start.get(), goal.get()), 1e-6);
+            EXPECT_GT(planner->bestCost(), 4.0 + 3.14);
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,176 @@
+/* Termination conditions: any, evaluated often, and obeyed at once. Latency is counted in state checks, not in time,
+   so that a slow machine changes nothing. */
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/terminationconditions/CostConvergenceTerminationCondition.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+
+#include "planner/DistanceGoal.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        class Termination : public ::testing::TestWithParam<test::Engine>
+        {
+        protected:
+            /* State checks that a motion across the whole space takes, beginning and end included. */
+            std::uint64_t longestMotion() const
+            {
+                const auto &space = *problem_->si->getStateSpace();
+                return static_cast<std::uint64_t>(space.getMaximumExtent() / space.getLongestValidSegmentLength()) + 2;
+            }
+
+            std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, Termination, ::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                 test::EngineName());
+
+        TEST_P(Termination, AConditionThatIsTrueAlreadyEndsTheSearchBeforeAnyMotionIsChecked)
+        {
+            const auto planner = problem_->planner(GetParam());
+            EXPECT_EQ(planner->solve(ob::PlannerTerminationCondition([] { return true; })), ob::PlannerStatus::TIMEOUT);
+            EXPECT_EQ(problem_->counted.motions, 0U);
+            EXPECT_FALSE(problem_->pdef->hasSolution());
+            EXPECT_EQ(planner->solve(0.0), ob::PlannerStatus::TIMEOUT);
+            EXPECT_EQ(problem_->counted.motions, 0U);
+        }
+
+        TEST_P(Termination, NoTimeAtAllStillReportsAnEarlierSolution)
+        {
+            const auto planner = problem_->planner(GetParam());
+            ASSERT_EQ(planner->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            const double cost = planner->bestCost();
+            problem_->pdef->clearSolutionPaths();
+            EXPECT_EQ(planner->solve(0.0), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_EQ(problem_->reportedCost(), cost);
+        }
+
+        TEST_P(Termination, AfterTheConditionTurnsTrueNoMoreThanOneMotionIsChecked)
+        {
+            for (const std::uint64_t calls : {1U, 2U, 3U, 5U, 10U, 50U, 100U, 500U, 1000U, 3000U})
+            {
+                const auto planner = problem_->planner(GetParam());
+                std::uint64_t asked = 0;
+                std::uint64_t statesThen = 0;
+                const ob::PlannerTerminationCondition ptc(
+                    [&]
+                    {
+                        if (++asked == calls)
+                            statesThen = problem_->counted.states;
+                        return asked >= calls;
+                    });
+                planner->solve(ptc);
+                if (asked < calls)
+                    continue;
+                EXPECT_LE(problem_->counted.states - statesThen, longestMotion()) << "after " << calls << " calls";
+            }
+        }
+
+        TEST_P(Termination, TheConditionIsEvaluatedAtEveryPathEvaluation)
+        {
+            const auto planner = problem_->planner(GetParam());
+            std::uint64_t statesBefore = 0;
+            std::uint64_t most = 0;
+            std::uint64_t asked = 0;
+            const ob::PlannerTerminationCondition ptc(
+                [&]
+                {
+                    most = std::max<std::uint64_t>(most, problem_->counted.states - statesBefore);
+                    statesBefore = problem_->counted.states;
+                    return ++asked > 20000;
+                });
+            planner->solve(ptc);
+            // a motion check, and the count of the invalid states on the motion if that failed
+            EXPECT_LE(most, 3 * longestMotion());
+        }
+
+        TEST_P(Termination, AGoalThatIsSearchedForStopsAsWell)
+        {
+            problem_->pdef->setGoal(
+                std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({5.0, 1.0}).get(), 0.1));
+            const auto planner = problem_->planner(GetParam());
+            std::uint64_t statesThen = 0;
+            std::uint64_t asked = 0;
+            const ob::PlannerTerminationCondition ptc(
+                [&]
+                {
+                    if (++asked == 500)
+                        statesThen = problem_->counted.states;
+                    return asked >= 500;
+                });
+            const ob::PlannerStatus status = planner->solve(ptc);
+            EXPECT_NE(status, ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_LE(problem_->counted.states - statesThen, longestMotion());
+        }
+
+        TEST_P(Termination, AConditionMayTurnTrueInAnotherThread)
+        {
+            problem_ = test::closedProblem();
+            const auto planner = problem_->planner(GetParam());
+            std::atomic<bool> stop{false};
+            std::thread other(
+                [&stop]
+                {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+                    stop = true;
+                });
+            std::uint64_t statesThen = 0;
+            const ob::PlannerTerminationCondition ptc(
+                [&]
+                {
+                    if (!stop)
+                        statesThen = problem_->counted.states;
+                    return stop.load();
+                });
+            planner->solve(ptc);
+            other.join();
+            EXPECT_LE(problem_->counted.states - statesThen, 4 * longestMotion());
+        }
+
+        TEST_P(Termination, TerminateFromOutsideIsObeyed)
+        {
+            problem_ = test::closedProblem();
+            const auto planner = problem_->planner(GetParam());
+            const ob::PlannerTerminationCondition ptc = ob::plannerNonTerminatingCondition();
+            std::thread other(
+                [&ptc]
+                {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+                    ptc.terminate();
+                });
+            EXPECT_FALSE(planner->solve(ptc) == ob::PlannerStatus::EXACT_SOLUTION);
+            other.join();
+        }
+
+        TEST_P(Termination, IterationsCanBeLimited)
+        {
+            const auto planner = problem_->planner(GetParam());
+            ob::IterationTerminationCondition limit(500);
+            planner->solve(ob::PlannerTerminationCondition(limit));
+            EXPECT_GE(limit.getTimesCalled(), 500U);
+            EXPECT_LE(limit.getTimesCalled(), 520U) << "asked again and again after it was true";
+        }
+
+        TEST_P(Termination, CostConvergenceEndsTheSearch)
+        {
+            const auto planner = problem_->planner(GetParam());
+            ob::CostConvergenceTerminationCondition converged(problem_->pdef, 3, 0.2);
+            const auto ptc = ob::plannerOrTerminationCondition(converged, ob::timedPlannerTerminationCondition(60.0));
+            EXPECT_EQ(planner->solve(ptc), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_TRUE(converged());
+            problem_->pdef->setIntermediateSolutionCallback({});
+        }
+    }  // namespace
+}  // namespace ompl_mfa
