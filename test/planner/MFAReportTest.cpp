@@ -120,7 +120,7 @@ namespace ompl_mfa
         {
             EXPECT_TRUE(planner_->getSwarmPaths().empty());
             EXPECT_TRUE(planner_->getSlicePaths().empty());
-            planner_->solve(test::afterCalls(3000));
+            planner_->solve(test::afterCalls(200000));
             auto paths = planner_->getSwarmPaths();
             ASSERT_FALSE(paths.empty());
             const auto &space = problem_->si->getStateSpace();
@@ -135,7 +135,7 @@ namespace ompl_mfa
 
         TEST_P(Report, TheSlicesEndWithinTheBounds)
         {
-            planner_->solve(test::afterCalls(1000));
+            planner_->solve(test::afterCalls(200000));
             auto slices = planner_->getSlicePaths();
             ASSERT_FALSE(slices.empty());
             for (auto &slice : slices)

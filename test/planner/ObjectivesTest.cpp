@@ -319,7 +319,7 @@ namespace ompl_mfa
             const auto problem = test::freeProblem();
             problem->pdef->setOptimizationObjective(std::make_shared<Earning>(problem->si));
             const auto planner = problem->planner(GetParam());
-            ASSERT_EQ(planner->solve(test::afterCalls(20000)), ob::PlannerStatus::EXACT_SOLUTION);
+            ASSERT_EQ(planner->solve(test::afterCalls(300000)), ob::PlannerStatus::EXACT_SOLUTION);
             // the straight motion earns 8; the identity cost, which OMPL gives as heuristic, is 0
             EXPECT_LT(planner->bestCost(), -20.0);
         }
