@@ -64,7 +64,7 @@ namespace ompl_mfa
         sharing_.add(0.03, 0.06, delay);  // RECOMBINATION
         sharing_.add(0.30, 0.12, 0.0);    // TIGHTENING
         sharing_.add(0.85, 0.08, 0.0);    // TREES
-        sharing_.add(0.20, 0.25, delay);  // ROADMAP
+        sharing_.add(0.20, 0.32, delay);  // ROADMAP
         if (useTrees_)
             trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
         if (useRoadmap_)

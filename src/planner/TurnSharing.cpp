@@ -10,7 +10,7 @@ namespace ompl_mfa
         /* What a past turn still counts for after another turn of any part. */
         constexpr double MEMORY = 0.9;
         /* What is shared out by gain; the floors come on top. */
-        constexpr double PAYOFF = 0.6;
+        constexpr double PAYOFF = 0.4;
     }  // namespace
 
     std::size_t TurnSharing::add(double share, double floor, double delay)
