@@ -18,6 +18,11 @@ namespace ompl_mfa::anytime
                 parts.push_back(part);
             return parts;
         }
+
+        [[noreturn]] void failForm(const std::string &text, const std::string &part)
+        {
+            throw InputError("--planners '" + text + "': expected PLANNER:KEY=VALUE,... and found '" + part + "'");
+        }
     }  // namespace
 
     std::vector<std::string> peers()
@@ -73,7 +78,7 @@ namespace ompl_mfa::anytime
         {
             const std::size_t equals = part.find('=');
             if (equals == std::string::npos || equals == 0)
-                throw InputError(origin + " '" + text + "': expected PLANNER:KEY=VALUE,... and found '" + part + "'");
+                failForm(text, part);
             spec.parameters.push_back({part.substr(0, equals), part.substr(equals + 1), origin});
         }
         return spec;
