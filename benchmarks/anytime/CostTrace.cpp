@@ -9,6 +9,12 @@
 
 #include <sys/prctl.h>
 
+#include "ompl_mfa/OmplCompatibility.h"
+
+#ifdef OMPL_MFA_HAS_AORRTC
+#include <ompl/geometric/planners/rrt/AORRTC.h>
+#endif
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa::anytime
@@ -22,6 +28,21 @@ namespace ompl_mfa::anytime
             timespec time{};
             clock_gettime(clock, &time);
             return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+        }
+
+        ob::Planner::PlannerProgressProperty bestCostProperty(const ob::Planner &planner)
+        {
+            // REAL or, in some planners, DOUBLE
+            for (const auto &[name, property] : planner.getPlannerProgressProperties())
+            {
+                if (name.rfind("best cost ", 0) == 0)
+                    return property;
+            }
+#ifdef OMPL_MFA_HAS_AORRTC
+            if (const auto *aorrtc = dynamic_cast<const ompl::geometric::AORRTC *>(&planner))
+                return [aorrtc] { return std::to_string(aorrtc->bestCost().value()); };
+#endif
+            return {};
         }
     }  // namespace
 
@@ -48,12 +69,7 @@ namespace ompl_mfa::anytime
       , log_(log)
       , best_(std::numeric_limits<double>::infinity())
     {
-        // REAL or, in some planners, DOUBLE
-        for (const auto &[name, property] : planner.getPlannerProgressProperties())
-        {
-            if (name.rfind("best cost ", 0) == 0)
-                bestCost_ = property;
-        }
+        bestCost_ = bestCostProperty(planner);
         problem.pdef->setIntermediateSolutionCallback(
             [this](const ob::Planner *, const std::vector<const ob::State *> &, const ob::Cost cost)
             { offer(cost.value()); });

@@ -50,11 +50,11 @@ class Intervals(unittest.TestCase):
 
 class Runs(unittest.TestCase):
     def test_times_to_each_level(self):
-        row = row_of([record("a", 1, [(0.1, 2.0), (0.2, 1.04), (0.3, 1.0005)], 1.0)], {"w": {"cost": 1.0}})["a"]
+        row = row_of([record("a", 1, [(0.1, 2.0), (0.2, 1.04), (0.3, 1.0005)], 1.0)], {"w": {"cost": 1.0, "path": []}})["a"]
         self.assertEqual([row.median[target] for target in cost_over_time.TARGETS], [0.1, 0.2, 0.2, 0.3, 0.3])
 
     def test_claims_count_as_far_as_the_path_bears_them_out(self):
-        row = row_of([record("a", 1, [(0.1, 1.0)], 1.2)], {"w": {"cost": 1.0}})["a"]
+        row = row_of([record("a", 1, [(0.1, 1.0)], 1.2)], {"w": {"cost": 1.0, "path": []}})["a"]
         self.assertTrue(math.isinf(row.median["10pct"]))
         self.assertEqual(row.median["first"], 0.1)
 
@@ -67,6 +67,11 @@ class Runs(unittest.TestCase):
         self.assertTrue(all(math.isinf(rows[planner].median["first"]) for planner in "abc"))
         self.assertEqual((rows["b"].invalid, rows["c"].overrun, len(rows["a"].failed)), (1, 1, 1))
         self.assertEqual(rows["d"].best, 1.0, "the cost of a path that fails its check is not the best")
+
+    def test_the_exact_optimum_is_the_best_cost_though_paths_cut_corners(self):
+        run = record("a", 1, [(0.1, 0.999)], 0.999)
+        self.assertEqual(row_of([run], {"w": {"cost": 1.0, "path": []}})["a"].best, 1.0)
+        self.assertEqual(row_of([run], {"w": {"cost": 1.0, "path": [[0.0]]}})["a"].best, 0.999)
 
     def test_the_floor_is_the_check_of_paths_near_the_best(self):
         rows = row_of([record("a", 1, [(0.1, 1.0)], 1.0, path_check=0.002),
@@ -92,7 +97,7 @@ class Peers(unittest.TestCase):
 
     def test_nobody_arrives(self):
         rows = row_of([record("mfa", 1, [(0.1, 2.0)], 2.0), record("bitstar", 1, [(0.1, 2.0)], 2.0)],
-                      {"w": {"cost": 1.0}})
+                      {"w": {"cost": 1.0, "path": []}})
         self.assertIsNone(rows["mfa"].speedup("1pct"))
         self.assertAlmostEqual(cost_over_time.geometric_mean([2.0, 8.0]), 4.0)
 
