@@ -28,7 +28,12 @@ def with_interval(row, target):
 
 
 def ratio(value):
-    return "" if value is None else f"{value[1]}{value[0]:.2g}x"
+    return "" if value is None else f"{value[1]}{value[0]:.3g}x"
+
+
+def percent_above(row):
+    """The median of the final costs above the best cost known."""
+    return f"{100 * (row.cost / row.best - 1):.2f}" if math.isfinite(row.cost) else "-"
 
 
 def remarks(row):
@@ -45,9 +50,8 @@ def remarks(row):
 def world_cells(row, interval):
     """A line of the table of one world."""
     times = [with_interval(row, target) if interval else milliseconds(row.median[target]) for target in TARGETS]
-    excess = 100 * (row.cost / row.best - 1) if math.isfinite(row.cost) else math.inf
     floors = row.floors_to_1pct()
-    return [row.planner, f"{row.successes}/{len(row.runs)}", *times, f"{excess:.2f}" if math.isfinite(excess) else "-",
+    return [row.planner, f"{row.successes}/{len(row.runs)}", *times, percent_above(row),
             f"{row.checks / 1000:.3g}", f"{floors:.3g}" if math.isfinite(floors) else "-", ratio(row.speedup("1pct")),
             ratio(row.speedup("01pct")), remarks(row)]
 
@@ -56,7 +60,7 @@ WORLD_HEADER = ["planner", "success", *(TITLES[target] for target in TARGETS), "
                 "vs peer 1%", "vs peer 0.1%", "remarks"]
 
 SUMMARY_HEADER = ["world", "1%: own", "best peer", "", "speed", "0.1%: own", "best peer", "", "speed",
-                  "first / RRT-Connect or BIT*", "success", "best peer's"]
+                  "final +%: own", "best peer's", "first / RRT-Connect or BIT*", "success", "best peer's"]
 
 
 def summary_cells(row):
@@ -67,6 +71,7 @@ def summary_cells(row):
         arrives = math.isfinite(peer.median[target])
         cells += [milliseconds(row.median[target]), milliseconds(peer.median[target]),
                   peer.planner if arrives else "", ratio(row.speedup(target))]
+    cells += [percent_above(row), percent_above(min(row.peers, key=lambda peer: peer.cost))]
     first = row.first_ratio()
     return [*cells, "" if first is None else f"{first:.2g}x" if math.isfinite(first) else "never",
             f"{row.success:.0%}", f"{max(peer.success for peer in row.peers):.0%}"]
@@ -136,7 +141,8 @@ def write_markdown(rows, path, clock):
     counts = [len(row.runs) for row in rows]
     coverage = statistics.median(order_statistic_interval(row.times["first"])[2] for row in rows)
     with open(path, "w", encoding="utf-8") as out:
-        out.write(f"{datetime.date.today()}; {min(counts)} to {max(counts)} seeds a cell; {clock} times, medians in ms "
+        seeds = f"{min(counts)} to {max(counts)}" if min(counts) < max(counts) else f"{counts[0]}"
+        out.write(f"{datetime.date.today()}; {seeds} seeds a cell; {clock} times, medians in ms "
                   f"with the {100 * coverage:.3g}% interval of their order statistics.\n")
         for name, own in own_planners(rows).items():
             out.write(f"\n`{name}` against the best peer of each world:\n")
