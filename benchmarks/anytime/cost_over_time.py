@@ -166,8 +166,8 @@ def group(runs, key):
 
 
 def best_cost(reference, runs):
-    """The exact optimum where it is known. Motions are checked at discrete states, so that a path may cut corners and be
-    a little shorter; were that the best cost, all who keep to the obstacles would be judged by it."""
+    """The exact optimum where it is known. Motions are checked at discrete states, so that a path may cut corners and
+    be a little shorter; were that the best cost, all who keep out of the obstacles would be judged by it."""
     if reference and not reference["path"]:
         return reference["cost"]
     return min([reference["cost"] if reference else math.inf] + [run.cost for run in runs])

@@ -51,22 +51,22 @@ namespace
     {
         for (const auto &world : anytime::selectWorlds(options.worlds))
         {
-            if (world.optimum)
-                std::cout << nlohmann::ordered_json{{"world", world.name},
-                                                    {"cost", world.optimum()},
-                                                    {"source", "exact"},
-                                                    {"path", nlohmann::json::array()}}
-                          << '\n';
+            if (!world.optimum)
+                continue;
+            const nlohmann::ordered_json reference{{"world", world.name},
+                                                   {"cost", world.optimum()},
+                                                   {"source", "exact"},
+                                                   {"path", nlohmann::json::array()}};
+            std::cout << reference << '\n';
         }
     }
 
     /* Replaces this process by the statistics, which are Debian's scipy. */
     [[noreturn]] void report(const Options &options)
     {
-        std::vector<std::string> arguments{"/usr/bin/python3",    OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/report.py",
-                                           options.runs.string(), "--clock",
-                                           options.clock,         "--worlds",
-                                           options.worlds};
+        const std::string script = OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/report.py";
+        std::vector<std::string> arguments{"/usr/bin/python3", script,     options.runs.string(), "--clock",
+                                           options.clock,      "--worlds", options.worlds};
         if (!options.csv.empty())
             arguments.insert(arguments.end(), {"--csv", options.csv.string()});
         if (!options.markdown.empty())
@@ -74,6 +74,7 @@ namespace
         if (options.updateReferences)
             arguments.emplace_back("--update-references");
         std::vector<char *> pointers;
+        pointers.reserve(arguments.size() + 1);
         for (std::string &argument : arguments)
             pointers.push_back(argument.data());
         pointers.push_back(nullptr);

@@ -38,7 +38,7 @@ namespace
     {
         constexpr int N = 500;
         const auto at = [](int ix, int iy) { return iy * (N + 1) + ix; };
-        std::vector<char> free((N + 1) * (N + 1));
+        std::vector<char> free(std::size_t{N + 1} * (N + 1));
         for (int iy = 0; iy <= N; ++iy)
         {
             for (int ix = 0; ix <= N; ++ix)

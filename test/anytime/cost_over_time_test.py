@@ -50,7 +50,8 @@ class Intervals(unittest.TestCase):
 
 class Runs(unittest.TestCase):
     def test_times_to_each_level(self):
-        row = row_of([record("a", 1, [(0.1, 2.0), (0.2, 1.04), (0.3, 1.0005)], 1.0)], {"w": {"cost": 1.0, "path": []}})["a"]
+        run = record("a", 1, [(0.1, 2.0), (0.2, 1.04), (0.3, 1.0005)], 1.0)
+        row = row_of([run], {"w": {"cost": 1.0, "path": []}})["a"]
         self.assertEqual([row.median[target] for target in cost_over_time.TARGETS], [0.1, 0.2, 0.2, 0.3, 0.3])
 
     def test_claims_count_as_far_as_the_path_bears_them_out(self):
