@@ -6,6 +6,12 @@ namespace ob = ompl::base;
 
 namespace ompl_mfa
 {
+    namespace
+    {
+        /* Motion costs computed between two looks at the stop condition. */
+        constexpr std::size_t COSTS_BETWEEN_STOPS = 8;
+    }  // namespace
+
     SliceGraph::SliceGraph(const SliceFrame &frame, PathEvaluator &evaluator)
       : frame_(frame)
       , evaluator_(evaluator)
@@ -51,11 +57,13 @@ namespace ompl_mfa
         {
             for (const std::size_t from : layer)
             {
-                // the costs of motions may take as long as their checks
-                if (evaluator_.stopped())
-                    return false;
-                for (const std::size_t to : next)
-                    graph_.addEdge(from, to, false);
+                for (std::size_t i = 0; i < next.size(); ++i)
+                {
+                    // the costs of motions may take as long as their checks
+                    if (i % COSTS_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                        return false;
+                    graph_.addEdge(from, next[i], false);
+                }
             }
             evaluator_.addWork(layer.size() * next.size() / 2);
             layer.swap(next);
