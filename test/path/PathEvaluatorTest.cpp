@@ -81,7 +81,7 @@ namespace ompl_mfa
                 std::make_shared<ob::MechanicalWorkOptimizationObjective>(problem_.si)};
             for (const auto &objective : objectives)
             {
-                const PathEvaluator evaluator(problem_.si, objective);
+                PathEvaluator evaluator(problem_.si, objective);
                 EXPECT_DOUBLE_EQ(evaluator.cost(zigzag).value(), theirs.cost(objective).value());
             }
             EXPECT_DOUBLE_EQ(evaluator_.cost(zigzag).value(), 5.0 + 4.0 + 13.0);
@@ -188,7 +188,7 @@ namespace ompl_mfa
         TEST_F(PathEvaluatorTest, TheObjectiveOrdersBrightness)
         {
             const auto clearance = std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si);
-            const PathEvaluator evaluator(problem_.si, clearance);
+            PathEvaluator evaluator(problem_.si, clearance);
             EXPECT_TRUE(evaluator.isBrighter({0.0, 2.0}, {0.0, 1.0}));
             EXPECT_FALSE(evaluator.isBrighter({0.0, 1.0}, {0.0, 2.0}));
             EXPECT_FALSE(evaluator.isBrighter({0.5, 2.0}, {0.0, 1.0}));
@@ -230,17 +230,16 @@ namespace ompl_mfa
         {
             const Waypoints valid = path(OVER_THE_WALL);
             problem_.forget();
-            const auto before = evaluator_.stateChecks();
+            const auto before = evaluator_.work();
             evaluator_.checkPath(valid);
-            EXPECT_EQ(evaluator_.stateChecks() - before, problem_.states);
+            EXPECT_EQ(evaluator_.work() - before, problem_.states);
         }
 
         TEST_F(PathEvaluatorTest, AsymmetricMotionsCostWhatTheyCostInTheirDirection)
         {
             const auto space = test::dubinsSpace(false);
             const test::CountingProblem problem(space, [](const ob::State *) { return true; });
-            const PathEvaluator evaluator(problem.si,
-                                          std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
+            PathEvaluator evaluator(problem.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
             Waypoints there(space);
             ob::ScopedState<> state(space);
             state[0] = state[1] = state[2] = 0.0;
