@@ -16,6 +16,8 @@ namespace ompl_mfa
         constexpr double IDLE_GAIN = 1e-5;
         constexpr unsigned int IDLE_ROUNDS = 4;
         constexpr unsigned int IDLE_ROUNDS_A_DIMENSION = 2;
+        /* Motion costs computed between two looks at the stop condition: they may take as long as motion checks. */
+        constexpr std::size_t COSTS_BETWEEN_STOPS = 4;
         /* First random step of a vertex, in parts of the distance to the nearer neighbour. */
         constexpr double FIRST_STEP = 0.25;
         /* Random steps are tried on cost this often before one is checked for validity. */
@@ -176,7 +178,11 @@ namespace ompl_mfa
 
         ob::Cost old = objective->motionCost(path_[first], path_[first + 1]);
         for (std::size_t k = first + 1; k <= last; ++k)
+        {
+            if (k % COSTS_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return false;
             old = objective->combineCosts(old, objective->motionCost(path_[k], path_[k + 1]));
+        }
         ob::Cost fresh = objective->motionCost(a_, b_);
         if (!fromVertex)
             fresh = objective->combineCosts(objective->motionCost(path_[first], a_), fresh);

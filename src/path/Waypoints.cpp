@@ -17,11 +17,9 @@ namespace ompl_mfa
     }
 
     Waypoints::Waypoints(Waypoints &&other) noexcept
-      : space_(other.space_)
-      , states_(std::move(other.states_))
-      , size_(std::exchange(other.size_, 0))
+      : Waypoints(other.space_)
     {
-        other.states_.clear();
+        *this = std::move(other);
     }
 
     Waypoints &Waypoints::operator=(const Waypoints &other)

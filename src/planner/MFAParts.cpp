@@ -147,10 +147,11 @@ namespace ompl_mfa
         if (swarms_.size() >= MAX_SWARMS)
             return;
         SliceFrame frame = SliceFrame::straight(chart_, start, goal, slices_ + 1);
-        if (frame.dimension() > 0)
-            swarms_.push_back(std::make_unique<Swarm>(
-                std::move(frame), *evaluator_, swarmSettings(), runSeed_ + 1000 * (swarms_.size() + 1),
-                [this](const Waypoints &valid, const Brightness &bright) { offer(valid, bright.cost); }));
+        if (frame.dimension() == 0)
+            return;
+        swarms_.push_back(std::make_unique<Swarm>(
+            std::move(frame), *evaluator_, swarmSettings(), runSeed_ + 1000 * (swarms_.size() + 1),
+            [this](const Waypoints &valid, const Brightness &bright) { offer(valid, bright.cost); }));
     }
 
     /* An axis through the vertices of a path, with vertices more where its motions are long. */
@@ -215,7 +216,7 @@ namespace ompl_mfa
             }
         }
         if (!swarms_.empty())
-            activeSwarm_ = swarms_[iterations_ / (2 * settings_.generations) % swarms_.size()].get();
+            activeSwarm_ = swarms_[iterations_ / (2UL * settings_.generations) % swarms_.size()].get();
     }
 
     void MFA::fly(std::uint64_t work)

@@ -52,6 +52,9 @@ namespace ompl_mfa
         const bool bothWays = chart_->space()->hasSymmetricDistance() && evaluator_.objective()->isSymmetric();
         for (const std::size_t neighbour : neighbours_)
         {
+            // the costs of motions may take as long as their checks
+            if (evaluator_.stopped())
+                break;
             graph_.addEdge(neighbour, vertex, bothWays);
             if (!bothWays)
                 graph_.addEdge(vertex, neighbour, false);
@@ -67,12 +70,6 @@ namespace ompl_mfa
             graph_.setStart(add(query.starts()[starts_], true));
         for (; goals_ < query.goals().size() && !evaluator_.stopped(); ++goals_)
             graph_.setGoal(add(query.goals()[goals_], true));
-    }
-
-    void RoadmapGuide::suggest(const Waypoints &path)
-    {
-        for (std::size_t i = 1; i + 1 < path.size() && !evaluator_.stopped(); ++i)
-            add(path[i], true);
     }
 
     void RoadmapGuide::addBatch(const Query &query, double bound, std::uint64_t limit)

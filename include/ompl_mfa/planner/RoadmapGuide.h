@@ -32,9 +32,6 @@ namespace ompl_mfa
 
         bool advance(const Query &query, double bound, std::uint64_t work, Waypoints &path) override;
 
-        /** \brief Puts the states of a good path, known to be valid, into the roadmap. */
-        void suggest(const Waypoints &path);
-
     private:
         void addEnds(const Query &query);
         void addBatch(const Query &query, double bound, std::uint64_t limit);
