@@ -87,10 +87,14 @@ namespace ompl_mfa
         for (unsigned int i = 0; i < positionDimension(kind); ++i)
             *space->getValueAddressAtIndex(state.get(), i) = position[i];
         if (kind == StateSpaceKind::SE3)
+        {
             state->as<ob::SE3StateSpace::StateType>()->rotation().setAxisAngle(pose.axis[0], pose.axis[1], pose.axis[2],
                                                                                pose.theta);
+        }
         else if (kind != StateSpaceKind::R2 && kind != StateSpaceKind::R3)
+        {
             state->as<ob::SE2StateSpace::StateType>()->setYaw(pose.theta);
+        }
         if (space->isCompound())
         {
             // OMPL aborts on angles beyond pi and on quaternions that are not of unit length
