@@ -197,7 +197,9 @@ namespace ompl_mfa
                 if (processorTime() >= limit)
                 {
                     const double overrun = processorTime() - std::max(lastFalse, limit);
-                    EXPECT_LT(overrun, SLOWDOWN * 0.01) << "problem " << number_;
+                    // a cost that is an integral over a path of many curves takes longer than a motion check
+                    const double limitOfOverrun = si_->getStateSpace()->isMetricSpace() ? 0.01 : 0.03;
+                    EXPECT_LT(overrun, SLOWDOWN * limitOfOverrun) << "problem " << number_;
                     tally.longestOverrun = std::max(tally.longestOverrun, overrun);
                 }
                 return status;
