@@ -11,6 +11,8 @@ function(ompl_mfa_compile_settings target)
         target_compile_options(${target} PRIVATE -fsanitize=${OMPL_MFA_SANITIZE} -fno-omit-frame-pointer
                                                  -fno-sanitize-recover=all)
         target_link_options(${target} PRIVATE -fsanitize=${OMPL_MFA_SANITIZE})
+        # Under AddressSanitizer Eigen would align by itself; libompl, built without, frees memory that this code allocates.
+        target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
     endif()
 endfunction()
 

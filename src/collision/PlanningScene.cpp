@@ -314,8 +314,8 @@ namespace ompl_mfa::collision
 
             fcl::Vector3d readScale(const YAML::Node &node) const
             {
-                const fcl::Vector3d scale = node.IsScalar() ? fcl::Vector3d::Constant(readNumber(node, "scale"))
-                                                            : readVector<3>(node, "scale", {"x", "y", "z"});
+                fcl::Vector3d scale = node.IsScalar() ? fcl::Vector3d::Constant(readNumber(node, "scale"))
+                                                      : readVector<3>(node, "scale", {"x", "y", "z"});
                 if (scale.minCoeff() <= 0.)
                 {
                     fail(node, "scale must be greater than 0");
