@@ -233,7 +233,8 @@ namespace ompl_mfa
         {
             backward(bound);
             std::size_t goal = NONE;
-            switch (forward(bound, limit, goal))
+            // in a large graph the backward pass alone may use up the work: the motions still get a share of their own
+            switch (forward(bound, std::max(limit, evaluator_.work() + work / 2), goal))
             {
                 case Outcome::Found:
                     extract(goal, path);
