@@ -22,10 +22,10 @@ namespace ompl_mfa
     {
         constexpr unsigned int TRIES = 20;
 
-        template <typename... Spaces>
-        bool isExactly(const ob::StateSpace &space)
+        template <typename... Types, typename Base>
+        bool isExactly(const Base &object)
         {
-            return ((typeid(space) == typeid(Spaces)) || ...);
+            return ((typeid(object) == typeid(Types)) || ...);
         }
 
         /* Whether the distance of the space is never below the Euclidean distance of all its scaled positions together:
@@ -55,7 +55,7 @@ namespace ompl_mfa
       , objective_(std::move(objective))
       , rng_(seed)
       , direct_(chart_->positionDimension() > 1 && boundedByPositions(*chart_->space()) &&
-                typeid(*objective_) == typeid(ob::PathLengthOptimizationObjective))
+                isExactly<ob::PathLengthOptimizationObjective>(*objective_))
       , focus1_(chart_->positionDimension())
       , focus2_(chart_->positionDimension())
       , values_(chart_->positionDimension())
