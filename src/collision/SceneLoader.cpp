@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <functional>
+#include <string>
+#include <vector>
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/collision/OccupancyMap.h"
@@ -20,38 +21,32 @@ namespace ompl_mfa::collision
             return scene;
         }
 
-        Scene loadMeshScene(const std::filesystem::path &file)
-        {
-            return sceneOf(file, makeMeshGeometry(loadMesh(file)));
-        }
-
         Scene loadOccupancyScene(const std::filesystem::path &file)
         {
             return sceneOf(file, loadOccupancyMap(file));
         }
 
-        struct SceneReader
+        Scene loadMeshScene(const std::filesystem::path &file)
         {
-            std::vector<std::string> extensions;
-            Scene (*read)(const std::filesystem::path &);
-        };
+            return sceneOf(file, makeMeshGeometry(loadMesh(file)));
+        }
 
-        const SceneReader &readerFor(const std::filesystem::path &file)
+        RigidBody loadSceneRobot(const std::filesystem::path &file, RobotCentring /*centring*/)
         {
-            // The last one reads whatever no other claims: assimp knows some fifty formats.
-            static const std::vector<SceneReader> readers{
-                {{".yaml", ".yml"}, loadPlanningScene}, {{".bt", ".ot"}, loadOccupancyScene}, {{}, loadMeshScene}};
-            std::string extension = file.extension().string();
-            std::transform(extension.begin(), extension.end(), extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-            for (const SceneReader &reader : readers)
+            const Scene scene = loadPlanningScene(file);
+            std::vector<RigidBody::Shape> shapes;
+            for (const CollisionObject &object : scene.objects())
             {
-                if (std::find(reader.extensions.begin(), reader.extensions.end(), extension) != reader.extensions.end())
-                {
-                    return reader;
-                }
+                shapes.push_back({object.geometry, object.pose});
             }
-            return readers.back();
+            return RigidBody(std::move(shapes));
+        }
+
+        RigidBody refuseRobot(const std::filesystem::path &file, RobotCentring /*centring*/)
+        {
+            throw InputError(file.string() +
+                             ": an occupancy map cannot be a robot; accepted are meshes and planning "
+                             "scenes (.yaml, .yml)");
         }
 
         RigidBody loadMeshRobot(const std::filesystem::path &file, RobotCentring centring)
@@ -68,6 +63,41 @@ namespace ompl_mfa::collision
             }
             return RigidBody({{makeMeshGeometry(mesh, offset)}});
         }
+
+        // A kind of file: how its world and its robot are read.
+        struct FileKind
+        {
+            std::vector<std::string> extensions;
+            Scene (*scene)(const std::filesystem::path &);
+            RigidBody (*robot)(const std::filesystem::path &, RobotCentring);
+        };
+
+        // The one place where kinds of files are listed. The last reads whatever no other claims: assimp knows some
+        // fifty formats.
+        const std::vector<FileKind> &fileKinds()
+        {
+            static const std::vector<FileKind> kinds{
+                {{".yaml", ".yml"}, loadPlanningScene, loadSceneRobot},
+                {{".bt", ".ot"}, loadOccupancyScene, refuseRobot},
+                {{}, loadMeshScene, loadMeshRobot},
+            };
+            return kinds;
+        }
+
+        const FileKind &kindOf(const std::filesystem::path &file)
+        {
+            std::string extension = file.extension().string();
+            std::transform(extension.begin(), extension.end(), extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            for (const FileKind &kind : fileKinds())
+            {
+                if (std::find(kind.extensions.begin(), kind.extensions.end(), extension) != kind.extensions.end())
+                {
+                    return kind;
+                }
+            }
+            return fileKinds().back();
+        }
     }  // namespace
 
     Scene loadScene(const std::filesystem::path &file)
@@ -76,7 +106,7 @@ namespace ompl_mfa::collision
         {
             throw InputError(file.string() + ": world file not found");
         }
-        return readerFor(file).read(file);
+        return kindOf(file).scene(file);
     }
 
     RigidBody loadRobot(const std::filesystem::path &file, RobotCentring centring)
@@ -85,23 +115,6 @@ namespace ompl_mfa::collision
         {
             throw InputError(file.string() + ": robot file not found");
         }
-        const SceneReader &reader = readerFor(file);
-        if (reader.read == loadMeshScene)
-        {
-            return loadMeshRobot(file, centring);
-        }
-        if (reader.read == loadOccupancyScene)
-        {
-            throw InputError(file.string() +
-                             ": an occupancy map cannot be a robot; accepted are meshes and planning "
-                             "scenes (.yaml, .yml)");
-        }
-        const Scene scene = reader.read(file);
-        std::vector<RigidBody::Shape> shapes;
-        for (const CollisionObject &object : scene.objects())
-        {
-            shapes.push_back({object.geometry, object.pose});
-        }
-        return RigidBody(std::move(shapes));
+        return kindOf(file).robot(file, centring);
     }
 }  // namespace ompl_mfa::collision
