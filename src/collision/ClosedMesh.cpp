@@ -77,6 +77,7 @@ namespace ompl_mfa::collision
     struct ClosedMesh::Index
     {
         bg::index::rtree<std::pair<Box, int>, bg::index::quadratic<16>> triangles;
+        fcl::AABBd bounds;
     };
 
     ClosedMesh::ClosedMesh(const MeshGeometry &mesh, const std::string &name)
@@ -97,6 +98,7 @@ namespace ompl_mfa::collision
             {
                 box += mesh.vertices[mesh.tri_indices[i][corner]];
             }
+            index_->bounds += box;
             boxes.emplace_back(Box({box.min_[0], box.min_[1], box.min_[2]}, {box.max_[0], box.max_[1], box.max_[2]}),
                                i);
         }
@@ -107,6 +109,10 @@ namespace ompl_mfa::collision
 
     bool ClosedMesh::contains(const fcl::Vector3d &point) const
     {
+        if (!index_->bounds.contain(point))
+        {
+            return false;
+        }
         bool inside = false;
         const auto crossing = [this, &point, &inside](const std::pair<Box, int> &entry)
         {

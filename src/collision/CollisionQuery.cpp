@@ -3,71 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <fcl/geometry/shape/sphere.h>
-
-#include "ConservativeAdvancement.h"
-#include "NarrowPhase.h"
-#include "ompl_mfa/collision/ClosedMesh.h"
+#include "QueryShapes.h"
 
 namespace ompl_mfa::collision
 {
     namespace
     {
-        const MeshGeometry *asMesh(const fcl::CollisionGeometryd &geometry)
-        {
-            return geometry.getNodeType() == fcl::BV_OBBRSS ? static_cast<const MeshGeometry *>(&geometry) : nullptr;
-        }
-
-        // A shape as a solid: its inside, where it is a closed mesh, and a point of each connected part of it.
-        struct Solid
-        {
-            Solid(const fcl::CollisionGeometryd &geometry, const std::string &name)
-            {
-                if (const MeshGeometry *mesh = asMesh(geometry))
-                {
-                    inside = std::make_unique<ClosedMesh>(*mesh, name);
-                    witnesses = ClosedMesh::partVertices(*mesh);
-                }
-                else if (geometry.getNodeType() != fcl::GEOM_OCTREE)
-                {
-                    witnesses.emplace_back(fcl::Vector3d::Zero());
-                }
-            }
-
-            // Whether a part of `other` is inside. Both are known not to touch each other's surface.
-            bool holds(const fcl::Transform3d &pose, const Solid &other, const fcl::Transform3d &otherPose) const
-            {
-                if (!inside)
-                {
-                    return false;
-                }
-                const fcl::Transform3d relative = pose.inverse() * otherPose;
-                return std::any_of(other.witnesses.begin(), other.witnesses.end(),
-                                   [this, &relative](const fcl::Vector3d &witness)
-                                   { return inside->contains(relative * witness); });
-            }
-
-            std::unique_ptr<ClosedMesh> inside;
-            std::vector<fcl::Vector3d> witnesses;
-        };
-
-        bool oneHoldsTheOther(const Solid &a, const fcl::Transform3d &poseA, const Solid &b,
-                              const fcl::Transform3d &poseB)
-        {
-            return a.holds(poseA, b, poseB) || b.holds(poseB, a, poseA);
-        }
-
-        // A ball that turns about its own centre stays where it is.
-        double displacedByRotation(const RigidBody::Shape &shape, bool planar)
-        {
-            if (shape.geometry->getNodeType() == fcl::GEOM_SPHERE)
-            {
-                return planar ? shape.pose.translation().head<2>().norm() : shape.pose.translation().norm();
-            }
-            const RigidBody alone({shape});
-            return planar ? alone.planarRadius() : alone.radius();
-        }
-
         // The pose of every shape of the bodies, kept for the next query of the thread.
         fcl::Transform3d *scratchPoses(std::size_t count)
         {
@@ -78,96 +19,6 @@ namespace ompl_mfa::collision
             }
             return poses.data();
         }
-    }  // namespace
-
-    // An obstacle with the tightest box around it; FCL's own box is a box around a sphere once there is a rotation.
-    struct CollisionQuery::Obstacle : fcl::CollisionObjectd
-    {
-        Obstacle(const collision::CollisionObject &object, std::size_t position)
-          : fcl::CollisionObjectd(object.geometry, object.pose)
-          , index(position)
-          , geometry(object.geometry.get())
-          , pose(object.pose)
-        {
-            aabb = boundingBox(*geometry, pose);
-        }
-
-        MovingShape atRest() const
-        {
-            return {geometry, &pose};
-        }
-
-        std::size_t index;
-        const fcl::CollisionGeometryd *geometry;
-        fcl::Transform3d pose;
-        std::unique_ptr<Solid> solid;
-    };
-
-    // One shape of a body. It owns no geometry, so that copying it, which a query does, counts no references.
-    struct CollisionQuery::Part : fcl::CollisionObjectd
-    {
-        Part(std::size_t bodyIndex, const RigidBody::Shape &shape)
-          : fcl::CollisionObjectd(
-                std::shared_ptr<fcl::CollisionGeometryd>(std::shared_ptr<void>(), shape.geometry.get()))
-          , body(bodyIndex)
-          , geometry(shape.geometry.get())
-          , pose(shape.pose)
-          , isCentred(shape.pose.matrix().isIdentity(0.))
-          , radius(RigidBody({shape}).radius())
-          , reach(displacedByRotation(shape, false))
-          , planarReach(displacedByRotation(shape, true))
-        {
-        }
-
-        void place(const fcl::Transform3d *poses, fcl::Transform3d &world) const
-        {
-            world = poses[body];
-            if (!isCentred)
-            {
-                world = world * pose;
-            }
-        }
-
-        MovingShape moving(const BodyMotion *motions) const
-        {
-            const bool planar = motions[body].axis.head<2>().isZero(0.);
-            return {geometry, &pose, &motions[body], planar ? planarReach : reach};
-        }
-
-        std::size_t body;
-        const fcl::CollisionGeometryd *geometry;
-        fcl::Transform3d pose;
-        bool isCentred;
-        double radius;
-        double reach;
-        double planarReach;
-
-        // How it is checked against each obstacle, and against each part.
-        std::vector<PairFunctions> obstacleFunctions;
-        std::vector<PairFunctions> partFunctions;
-        std::unique_ptr<Solid> solid;
-    };
-
-    namespace
-    {
-        // What the broadphase sees of a part. Its box is that of FCL, or the one that it sweeps.
-        struct PlacedShape : fcl::CollisionObjectd
-        {
-            PlacedShape(const fcl::CollisionObjectd &shape, const fcl::Transform3d &world)
-              : fcl::CollisionObjectd(shape)
-            {
-                t = world;
-                computeAABB();
-            }
-
-            PlacedShape(const fcl::CollisionObjectd &shape, const BodyMotion &motion, double radius)
-              : fcl::CollisionObjectd(shape)
-            {
-                const fcl::AABBd path(motion.start, motion.start + motion.displacement);
-                aabb.min_ = path.min_ - fcl::Vector3d::Constant(radius);
-                aabb.max_ = path.max_ + fcl::Vector3d::Constant(radius);
-            }
-        };
     }  // namespace
 
     // What a callback of the broadphase knows of the query that it serves.
@@ -217,7 +68,7 @@ namespace ompl_mfa::collision
                 if (solidInteriors_)
                 {
                     parts_.back().solid =
-                        std::make_unique<Solid>(*shape.geometry, "robot body " + std::to_string(body));
+                        std::make_unique<SolidInterior>(*shape.geometry, "robot body " + std::to_string(body));
                 }
             }
         }
@@ -231,7 +82,8 @@ namespace ompl_mfa::collision
             obstacles_.push_back(std::make_unique<Obstacle>(object, obstacles_.size()));
             if (solidInteriors_)
             {
-                obstacles_.back()->solid = std::make_unique<Solid>(*object.geometry, "obstacle '" + object.id + "'");
+                obstacles_.back()->solid =
+                    std::make_unique<SolidInterior>(*object.geometry, "obstacle '" + object.id + "'");
             }
             broadphase_.registerObject(obstacles_.back().get());
         }
@@ -341,7 +193,7 @@ namespace ompl_mfa::collision
         {
             for (const auto &obstacle : obstacles_)
             {
-                if (oneHoldsTheOther(*parts_[i].solid, worlds[i], *obstacle->solid, obstacle->pose))
+                if (SolidInterior::oneHoldsTheOther(*parts_[i].solid, worlds[i], *obstacle->solid, obstacle->pose))
                 {
                     return true;
                 }
@@ -350,8 +202,8 @@ namespace ompl_mfa::collision
         return std::any_of(bodyPairs_.begin(), bodyPairs_.end(),
                            [this, worlds](const std::pair<std::size_t, std::size_t> &pair)
                            {
-                               return oneHoldsTheOther(*parts_[pair.first].solid, worlds[pair.first],
-                                                       *parts_[pair.second].solid, worlds[pair.second]);
+                               return SolidInterior::oneHoldsTheOther(*parts_[pair.first].solid, worlds[pair.first],
+                                                                      *parts_[pair.second].solid, worlds[pair.second]);
                            });
     }
 
@@ -416,7 +268,7 @@ namespace ompl_mfa::collision
         for (const Part &part : parts_)
         {
             sweep.part = &part;
-            PlacedShape swept(part, motions[part.body], part.radius + tolerance);
+            PlacedShape swept(part, motions[part.body], part.reach.core + part.reach.margin + tolerance);
             broadphase_.collide(&swept, &sweep, advanceCallback);
             if (sweep.isDone())
             {

@@ -1,66 +1,28 @@
 #ifndef OMPL_MFA_COLLISION_CONVEX_DISTANCE_
 #define OMPL_MFA_COLLISION_CONVEX_DISTANCE_
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/sphere.h>
 #include <fcl/geometry/shape/triangle_p.h>
+
+#include "PrimitiveShapes.h"
 
 namespace ompl_mfa::collision
 {
-    // Farthest point of a shape along a direction of its own frame. A sphere is a point with a margin.
-    inline fcl::Vector3d supportPoint(const fcl::Sphered & /*sphere*/, const fcl::Vector3d & /*direction*/)
+    /** \brief A triangle of a mesh, placed by its corners. */
+    template <>
+    struct ShapeTraits<fcl::TrianglePd> : ShapeDefaults
     {
-        return fcl::Vector3d::Zero();
-    }
-
-    inline fcl::Vector3d supportPoint(const fcl::Boxd &box, const fcl::Vector3d &direction)
-    {
-        return {std::copysign(0.5 * box.side[0], direction[0]), std::copysign(0.5 * box.side[1], direction[1]),
-                std::copysign(0.5 * box.side[2], direction[2])};
-    }
-
-    inline fcl::Vector3d supportPoint(const fcl::Cylinderd &cylinder, const fcl::Vector3d &direction)
-    {
-        const double radial = std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
-        const double scale = radial > 0. ? cylinder.radius / radial : 0.;
-        return {scale * direction[0], scale * direction[1], std::copysign(0.5 * cylinder.lz, direction[2])};
-    }
-
-    inline fcl::Vector3d supportPoint(const fcl::Coned &cone, const fcl::Vector3d &direction)
-    {
-        const double radial = std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
-        if (cone.lz * direction[2] > cone.radius * radial)
+        static fcl::Vector3d support(const fcl::TrianglePd &triangle, const fcl::Vector3d &direction)
         {
-            return {0., 0., 0.5 * cone.lz};
+            const double a = triangle.a.dot(direction);
+            const double b = triangle.b.dot(direction);
+            const double c = triangle.c.dot(direction);
+            return a >= b && a >= c ? triangle.a : b >= c ? triangle.b : triangle.c;
         }
-        const double scale = radial > 0. ? cone.radius / radial : 0.;
-        return {scale * direction[0], scale * direction[1], -0.5 * cone.lz};
-    }
-
-    inline fcl::Vector3d supportPoint(const fcl::TrianglePd &triangle, const fcl::Vector3d &direction)
-    {
-        const double a = triangle.a.dot(direction);
-        const double b = triangle.b.dot(direction);
-        const double c = triangle.c.dot(direction);
-        return a >= b && a >= c ? triangle.a : b >= c ? triangle.b : triangle.c;
-    }
-
-    template <typename Shape>
-    double marginOf(const Shape & /*shape*/)
-    {
-        return 0.;
-    }
-
-    inline double marginOf(const fcl::Sphered &sphere)
-    {
-        return sphere.radius;
-    }
+    };
 
     /** \brief What is known of the distance between two convex shapes. */
     struct ConvexSeparation
@@ -128,7 +90,7 @@ namespace ompl_mfa::collision
         constexpr double accuracy = 1e-11;
         const fcl::Matrix3d rotation = poseA.linear().transpose() * poseB.linear();
         const fcl::Vector3d offset = poseA.linear().transpose() * (poseB.translation() - poseA.translation());
-        const double margin = marginOf(a) + marginOf(b);
+        const double margin = ShapeTraits<ShapeA>::margin(a) + ShapeTraits<ShapeB>::margin(b);
 
         ConvexSeparation result;
         ClosestSimplex simplex;
@@ -140,8 +102,8 @@ namespace ompl_mfa::collision
         for (int i = 0; i < maximumIterations; ++i)
         {
             const double length = direction.norm();
-            const fcl::Vector3d point =
-                supportPoint(a, -direction) - (rotation * supportPoint(b, rotation.transpose() * direction) + offset);
+            const fcl::Vector3d onB = rotation * ShapeTraits<ShapeB>::support(b, rotation.transpose() * direction);
+            const fcl::Vector3d point = ShapeTraits<ShapeA>::support(a, -direction) - (onB + offset);
             const double lower = point.dot(direction) / length - margin;
             if (lower > result.lower)
             {

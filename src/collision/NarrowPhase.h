@@ -37,8 +37,7 @@ namespace ompl_mfa::collision
                                      const fcl::CollisionGeometryd &, const fcl::Transform3d &);
     };
 
-    /** \brief The functions for a pair. Primitives, meshes and occupancy maps go with each other in any order; adding
-        a kind of shape is adding it to the lists in NarrowPhase.cpp.
+    /** \brief The functions for a pair. Primitives, meshes and occupancy maps go with each other in any order.
         \throw std::invalid_argument where FCL's geometry is of another kind. */
     const PairFunctions &pairFunctions(const fcl::CollisionGeometryd &a, const fcl::CollisionGeometryd &b);
 }  // namespace ompl_mfa::collision

@@ -1,200 +1,201 @@
 #include "ompl_mfa/collision/PlanarOutline.h"
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
-#include <fcl/geometry/octree/octree.h>
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/sphere.h>
-
-#include "ompl_mfa/collision/TriangleMesh.h"
+#include "ConvexDistance.h"
+#include "ShapeKinds.h"
 
 namespace ompl_mfa::collision
 {
     namespace
     {
-        constexpr int roundCorners = 96;
-
         struct Slab
         {
             double zMin;
             double zMax;
         };
 
-        using Points = std::vector<fcl::Vector3d>;
-
-        // Points of the segment ab within the slab: its ends, and where it crosses the two planes.
-        void clipSegment(const fcl::Vector3d &a, const fcl::Vector3d &b, const Slab &slab, Polygon &kept)
+        // What the slab keeps of a convex solid, seen from above.
+        template <typename Shape>
+        class ConvexOutline
         {
-            if (a.z() >= slab.zMin && a.z() <= slab.zMax)
+        public:
+            ConvexOutline(const Shape &shape, const fcl::Transform3d &pose, const Slab &slab)
+              : shape_(shape)
+              , pose_(pose)
+              , slab_(slab)
             {
-                kept.emplace_back(a.head<2>());
             }
-            for (const double z : {slab.zMin, slab.zMax})
+
+            // Counter-clockwise. Empty where the slab keeps nothing, two corners where it keeps a segment.
+            Polygon trace()
             {
-                if ((a.z() - z) * (b.z() - z) < 0.)
+                Polygon sides;
+                for (const Eigen::Vector2d &side : {Eigen::Vector2d(1., 0.), Eigen::Vector2d(0., 1.),
+                                                    Eigen::Vector2d(-1., 0.), Eigen::Vector2d(0., -1.)})
                 {
-                    const double share = (z - a.z()) / (b.z() - a.z());
-                    kept.emplace_back((a + share * (b - a)).head<2>());
-                }
-            }
-        }
-
-        double cross(const Eigen::Vector2d &o, const Eigen::Vector2d &a, const Eigen::Vector2d &b)
-        {
-            return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-        }
-
-        // Andrew's monotone chain, counter-clockwise; a segment where all points are on a line. Points that only
-        // rounding puts off an edge are no corners.
-        Polygon convexHull(Polygon points)
-        {
-            std::sort(points.begin(), points.end(),
-                      [](const Eigen::Vector2d &a, const Eigen::Vector2d &b)
-                      { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
-            points.erase(std::unique(points.begin(), points.end()), points.end());
-            if (points.size() < 3)
-            {
-                return points;
-            }
-            const double rounding = 1e-12 * (points.back() - points.front()).squaredNorm();
-            Polygon hull;
-            for (int pass = 0; pass < 2; ++pass)
-            {
-                const std::size_t start = hull.size();
-                for (const Eigen::Vector2d &point : points)
-                {
-                    while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= rounding)
+                    const auto corner = farthestInSlab(side);
+                    if (!corner)
                     {
-                        hull.pop_back();
+                        return {};
                     }
-                    hull.push_back(point);
+                    sides.push_back(*corner);
                 }
-                hull.pop_back();
-                std::reverse(points.begin(), points.end());
-            }
-            return hull;
-        }
-
-        // Two rings of corners around z, and every segment between corners of the two: the hull of what the slab
-        // keeps of them is the hull of what it keeps of the solid.
-        Points ring(double radius, double z)
-        {
-            Points points;
-            for (int i = 0; i < roundCorners; ++i)
-            {
-                const double angle = 2. * M_PI * i / roundCorners;
-                points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
-            }
-            return points;
-        }
-
-        Points boxCorners(const fcl::Vector3d &side)
-        {
-            Points points;
-            for (int corner = 0; corner < 8; ++corner)
-            {
-                points.emplace_back(((corner & 1) != 0 ? 0.5 : -0.5) * side[0],
-                                    ((corner & 2) != 0 ? 0.5 : -0.5) * side[1],
-                                    ((corner & 4) != 0 ? 0.5 : -0.5) * side[2]);
-            }
-            return points;
-        }
-
-        Points solidCorners(const fcl::CollisionGeometryd &geometry)
-        {
-            switch (geometry.getNodeType())
-            {
-                case fcl::GEOM_BOX:
-                    return boxCorners(static_cast<const fcl::Boxd &>(geometry).side);
-                case fcl::GEOM_CYLINDER:
+                const double size = (sides[0] - sides[2]).norm() + (sides[1] - sides[3]).norm();
+                rounding_ = 1e-10 * size + 1e-14 * sides[0].norm();
+                for (std::size_t i = 0; i < sides.size(); ++i)
                 {
-                    const auto &cylinder = static_cast<const fcl::Cylinderd &>(geometry);
-                    Points points = ring(cylinder.radius, -cylinder.lz / 2.);
-                    const Points top = ring(cylinder.radius, cylinder.lz / 2.);
-                    points.insert(points.end(), top.begin(), top.end());
-                    return points;
+                    addCorner(sides[i]);
+                    refine(sides[i], sides[(i + 1) % sides.size()], refinements);
                 }
-                case fcl::GEOM_CONE:
+                closeOutline();
+                return std::move(corners_);
+            }
+
+        private:
+            fcl::Vector3d farthest(const fcl::Vector3d &direction) const
+            {
+                const fcl::Vector3d local = pose_.linear().transpose() * direction;
+                return pose_ * (ShapeTraits<Shape>::support(shape_, local) +
+                                ShapeTraits<Shape>::margin(shape_) * local.normalized());
+            }
+
+            std::optional<Eigen::Vector2d> farthestInSlab(const Eigen::Vector2d &direction) const
+            {
+                const fcl::Vector3d outward(direction.x(), direction.y(), 0.);
+                const fcl::Vector3d point = farthest(outward);
+                if (point.z() > slab_.zMax)
                 {
-                    const auto &cone = static_cast<const fcl::Coned &>(geometry);
-                    Points points = ring(cone.radius, -cone.lz / 2.);
-                    points.emplace_back(0., 0., cone.lz / 2.);
-                    return points;
+                    return farthestOnPlane(outward, point, slab_.zMax, -fcl::Vector3d::UnitZ());
                 }
-                default:
-                    throw std::invalid_argument("planarOutline: no outline is known for this kind of FCL geometry");
-            }
-        }
-
-        void appendOutline(Polygon polygon, std::vector<Polygon> &outlines)
-        {
-            if (polygon.size() >= 2)
-            {
-                outlines.push_back(std::move(polygon));
-            }
-        }
-
-        void appendConvex(const Points &corners, const fcl::Transform3d &pose, const Slab &slab,
-                          std::vector<Polygon> &outlines)
-        {
-            Points placed;
-            for (const fcl::Vector3d &corner : corners)
-            {
-                placed.emplace_back(pose * corner);
-            }
-            Polygon kept;
-            for (const fcl::Vector3d &a : placed)
-            {
-                for (const fcl::Vector3d &b : placed)
+                if (point.z() < slab_.zMin)
                 {
-                    if (&a != &b)
-                    {
-                        clipSegment(a, b, slab, kept);
-                    }
+                    return farthestOnPlane(outward, point, slab_.zMin, fcl::Vector3d::UnitZ());
+                }
+                return point.head<2>();
+            }
+
+            // `beyond` is farthest of all, but on the far side of the plane. Where the direction turns towards the
+            // plane, the farthest point of the solid comes nearer to it; the two between which it steps over the plane
+            // are the ends of an edge, or next to each other on a curve.
+            std::optional<Eigen::Vector2d> farthestOnPlane(const fcl::Vector3d &outward, fcl::Vector3d beyond, double z,
+                                                           const fcl::Vector3d &towards) const
+            {
+                fcl::Vector3d within = farthest(towards);
+                const auto isWithin = [z, &towards](const fcl::Vector3d &point)
+                { return (point.z() - z) * towards.z() >= 0.; };
+                if (!isWithin(within))
+                {
+                    return std::nullopt;
+                }
+                double low = 0.;
+                double high = M_PI / 2.;
+                for (int halving = 0; halving < 64; ++halving)
+                {
+                    const double turn = 0.5 * (low + high);
+                    const fcl::Vector3d point = farthest(std::cos(turn) * outward + std::sin(turn) * towards);
+                    (isWithin(point) ? high : low) = turn;
+                    (isWithin(point) ? within : beyond) = point;
+                }
+                const double share = (z - beyond.z()) / (within.z() - beyond.z());
+                const fcl::Vector3d crossing = beyond + share * (within - beyond);
+                return crossing.head<2>();
+            }
+
+            // Adds the corners between two others: the farthest point across the edge, and so on beside it.
+            void refine(const Eigen::Vector2d &a, const Eigen::Vector2d &b, int depth)
+            {
+                const Eigen::Vector2d edge = b - a;
+                if (depth == 0 || edge.norm() <= rounding_)
+                {
+                    return;
+                }
+                const Eigen::Vector2d outward = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
+                const auto corner = farthestInSlab(outward);
+                if (!corner || outward.dot(*corner - a) <= rounding_)
+                {
+                    return;
+                }
+                refine(a, *corner, depth - 1);
+                addCorner(*corner);
+                refine(*corner, b, depth - 1);
+            }
+
+            // Whether `corner` is but a point of the segment between its neighbours, or one of them.
+            bool isOnEdge(const Eigen::Vector2d &before, const Eigen::Vector2d &corner,
+                          const Eigen::Vector2d &after) const
+            {
+                const Eigen::Vector2d a = before - corner;
+                const Eigen::Vector2d b = after - corner;
+                return a.norm() <= rounding_ || b.norm() <= rounding_ ||
+                       (std::abs(a.x() * b.y() - a.y() * b.x()) <= rounding_ * (b - a).norm() && a.dot(b) < 0.);
+            }
+
+            void addCorner(const Eigen::Vector2d &corner)
+            {
+                while (corners_.size() >= 2 && isOnEdge(corners_[corners_.size() - 2], corners_.back(), corner))
+                {
+                    corners_.pop_back();
+                }
+                if (corners_.empty() || (corner - corners_.back()).norm() > rounding_)
+                {
+                    corners_.push_back(corner);
                 }
             }
-            appendOutline(convexHull(std::move(kept)), outlines);
-        }
 
-        void appendSphere(const fcl::Sphered &sphere, const fcl::Vector3d &centre, const Slab &slab,
-                          std::vector<Polygon> &outlines)
+            void closeOutline()
+            {
+                while (corners_.size() >= 2 &&
+                       isOnEdge(corners_[corners_.size() - 2], corners_.back(), corners_.front()))
+                {
+                    corners_.pop_back();
+                }
+                while (corners_.size() >= 2 && isOnEdge(corners_.back(), corners_.front(), corners_[1]))
+                {
+                    corners_.erase(corners_.begin());
+                }
+            }
+
+            // Of each quarter of the outline: a circle gets 128 corners.
+            static constexpr int refinements = 5;
+
+            const Shape &shape_;
+            const fcl::Transform3d &pose_;
+            Slab slab_;
+            double rounding_{0.};
+            Polygon corners_;
+        };
+
+        template <typename Shape>
+        void append(const Shape &shape, const fcl::Transform3d &pose, const Slab &slab, std::vector<Polygon> &outlines)
         {
-            const double height = std::clamp(centre.z(), slab.zMin, slab.zMax) - centre.z();
-            if (std::abs(height) >= sphere.radius)
+            Polygon outline = ConvexOutline<Shape>(shape, pose, slab).trace();
+            if (outline.size() >= 2)
             {
-                return;
+                outlines.push_back(std::move(outline));
             }
-            Polygon circle;
-            for (const fcl::Vector3d &point : ring(std::sqrt(sphere.radius * sphere.radius - height * height), 0.))
-            {
-                circle.emplace_back(centre.head<2>() + point.head<2>());
-            }
-            outlines.push_back(std::move(circle));
         }
 
-        void appendMesh(const MeshGeometry &mesh, const fcl::Transform3d &pose, const Slab &slab,
-                        std::vector<Polygon> &outlines)
+        void append(const MeshGeometry &mesh, const fcl::Transform3d &pose, const Slab &slab,
+                    std::vector<Polygon> &outlines)
         {
             for (int i = 0; i < mesh.num_tris; ++i)
             {
-                const fcl::Triangle &triangle = mesh.tri_indices[i];
-                const Points corners{mesh.vertices[triangle[0]], mesh.vertices[triangle[1]],
-                                     mesh.vertices[triangle[2]]};
-                appendConvex(corners, pose, slab, outlines);
+                const fcl::Triangle &corners = mesh.tri_indices[i];
+                append(fcl::TrianglePd(mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]),
+                       pose, slab, outlines);
             }
         }
 
-        void appendCells(const fcl::OcTree<double> &map, const fcl::Transform3d &pose, const Slab &slab,
-                         std::vector<Polygon> &outlines)
+        void append(const OccupancyTree &map, const fcl::Transform3d &pose, const Slab &slab,
+                    std::vector<Polygon> &outlines)
         {
             for (const auto &cell : map.toBoxes())
             {
-                const fcl::Transform3d cellPose = pose * Eigen::Translation3d(cell[0], cell[1], cell[2]);
-                appendConvex(boxCorners(fcl::Vector3d::Constant(cell[3])), cellPose, slab, outlines);
+                append(fcl::Boxd(fcl::Vector3d::Constant(cell[3])),
+                       pose * Eigen::Translation3d(cell[0], cell[1], cell[2]), slab, outlines);
             }
         }
     }  // namespace
@@ -205,23 +206,11 @@ namespace ompl_mfa::collision
         {
             throw std::invalid_argument("planarOutline: zMin must not exceed zMax");
         }
-        const Slab slab{zMin, zMax};
         std::vector<Polygon> outlines;
-        switch (object.geometry->getNodeType())
-        {
-            case fcl::GEOM_SPHERE:
-                appendSphere(static_cast<const fcl::Sphered &>(*object.geometry), object.pose.translation(), slab,
-                             outlines);
-                break;
-            case fcl::BV_OBBRSS:
-                appendMesh(static_cast<const MeshGeometry &>(*object.geometry), object.pose, slab, outlines);
-                break;
-            case fcl::GEOM_OCTREE:
-                appendCells(static_cast<const fcl::OcTree<double> &>(*object.geometry), object.pose, slab, outlines);
-                break;
-            default:
-                appendConvex(solidCorners(*object.geometry), object.pose, slab, outlines);
-        }
+        visitShape(*object.geometry,
+                   [&object, zMin, zMax, &outlines](const auto &shape) {
+                       append(shape, object.pose, {zMin, zMax}, outlines);
+                   });
         return outlines;
     }
 }  // namespace ompl_mfa::collision

@@ -4,48 +4,22 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/sphere.h>
+#include "PrimitiveShapes.h"
 
 namespace ompl_mfa::collision
 {
     namespace
     {
-        using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
-        using Dimensions = std::vector<double>;
-
-        Geometry makeBox(const Dimensions &d)
+        template <typename... Shapes>
+        std::vector<PrimitiveKind> kindsOf(const std::tuple<Shapes...> * /*list*/)
         {
-            return std::make_shared<fcl::Boxd>(d[0], d[1], d[2]);
-        }
-
-        Geometry makeSphere(const Dimensions &d)
-        {
-            return std::make_shared<fcl::Sphered>(d[0]);
-        }
-
-        // shape_msgs/SolidPrimitive lists the height first, FCL takes the radius first.
-        Geometry makeCylinder(const Dimensions &d)
-        {
-            return std::make_shared<fcl::Cylinderd>(d[1], d[0]);
-        }
-
-        Geometry makeCone(const Dimensions &d)
-        {
-            return std::make_shared<fcl::Coned>(d[1], d[0]);
+            return {ShapeTraits<Shapes>::kind()...};
         }
     }  // namespace
 
     const std::vector<PrimitiveKind> &primitiveKinds()
     {
-        static const std::vector<PrimitiveKind> kinds{
-            {"box", 1, {"x", "y", "z"}, false, makeBox},
-            {"sphere", 2, {"radius"}, true, makeSphere},
-            {"cylinder", 3, {"height", "radius"}, false, makeCylinder},
-            {"cone", 4, {"height", "radius"}, false, makeCone},
-        };
+        static const std::vector<PrimitiveKind> kinds = kindsOf(static_cast<const Primitives *>(nullptr));
         return kinds;
     }
 
@@ -61,7 +35,8 @@ namespace ompl_mfa::collision
         return nullptr;
     }
 
-    Geometry makePrimitive(const PrimitiveKind &kind, const Dimensions &dimensions)
+    std::shared_ptr<fcl::CollisionGeometryd> makePrimitive(const PrimitiveKind &kind,
+                                                           const std::vector<double> &dimensions)
     {
         std::ostringstream message;
         if (dimensions.size() != kind.dimensions.size())

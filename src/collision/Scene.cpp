@@ -2,20 +2,25 @@
 
 #include <stdexcept>
 
-#include <fcl/geometry/octree/octree.h>
-#include <fcl/geometry/shape/utility.h>
-
-#include "ompl_mfa/collision/TriangleMesh.h"
+#include "ShapeKinds.h"
 
 namespace ompl_mfa::collision
 {
     namespace
     {
+        // The farthest points along the axes of the world, both ways.
         template <typename Shape>
-        fcl::AABBd shapeBox(const fcl::CollisionGeometryd &geometry, const fcl::Transform3d &pose)
+        fcl::AABBd primitiveBox(const Shape &primitive, const fcl::Transform3d &pose)
         {
+            const double margin = ShapeTraits<Shape>::margin(primitive);
             fcl::AABBd box;
-            fcl::computeBV(static_cast<const Shape &>(geometry), pose, box);
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                const fcl::Vector3d up = pose.linear().row(axis);
+                const double centre = pose.translation()[axis];
+                box.min_[axis] = centre + up.dot(ShapeTraits<Shape>::support(primitive, -up)) - margin;
+                box.max_[axis] = centre + up.dot(ShapeTraits<Shape>::support(primitive, up)) + margin;
+            }
             return box;
         }
 
@@ -29,14 +34,14 @@ namespace ompl_mfa::collision
             return box;
         }
 
-        fcl::AABBd occupiedBox(const fcl::OcTree<double> &map, const fcl::Transform3d &pose)
+        fcl::AABBd occupiedBox(const OccupancyTree &map, const fcl::Transform3d &pose)
         {
             fcl::AABBd box;
             for (const auto &cell : map.toBoxes())
             {
                 const fcl::Boxd shape(fcl::Vector3d::Constant(cell[3]));
                 const fcl::Transform3d cellPose = pose * Eigen::Translation3d(cell[0], cell[1], cell[2]);
-                box += shapeBox<fcl::Boxd>(shape, cellPose);
+                box += primitiveBox(shape, cellPose);
             }
             return box;
         }
@@ -63,22 +68,9 @@ namespace ompl_mfa::collision
 
     fcl::AABBd boundingBox(const fcl::CollisionGeometryd &geometry, const fcl::Transform3d &pose)
     {
-        switch (geometry.getNodeType())
-        {
-            case fcl::GEOM_BOX:
-                return shapeBox<fcl::Boxd>(geometry, pose);
-            case fcl::GEOM_SPHERE:
-                return shapeBox<fcl::Sphered>(geometry, pose);
-            case fcl::GEOM_CYLINDER:
-                return shapeBox<fcl::Cylinderd>(geometry, pose);
-            case fcl::GEOM_CONE:
-                return shapeBox<fcl::Coned>(geometry, pose);
-            case fcl::BV_OBBRSS:
-                return meshBox(static_cast<const MeshGeometry &>(geometry), pose);
-            case fcl::GEOM_OCTREE:
-                return occupiedBox(static_cast<const fcl::OcTree<double> &>(geometry), pose);
-            default:
-                throw std::invalid_argument("boundingBox: no box is known for this kind of FCL geometry");
-        }
+        return visitShape(geometry,
+                          Overloaded{[&pose](const MeshGeometry &mesh) { return meshBox(mesh, pose); },
+                                     [&pose](const OccupancyTree &map) { return occupiedBox(map, pose); },
+                                     [&pose](const auto &primitive) { return primitiveBox(primitive, pose); }});
     }
 }  // namespace ompl_mfa::collision

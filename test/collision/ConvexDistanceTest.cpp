@@ -138,8 +138,10 @@ namespace ompl_mfa::collision
                 const fcl::Transform3d poseB = random.pose(2.);
                 const ConvexSeparation gap = separate(a, poseA, b, poseB, false);
                 const fcl::Vector3d n = gap.normal;
-                const fcl::Vector3d lowestA = poseA * supportPoint(a, -(poseA.linear().transpose() * n));
-                const fcl::Vector3d highestB = poseB * supportPoint(b, poseB.linear().transpose() * n);
+                const fcl::Vector3d lowestA =
+                    poseA * ShapeTraits<fcl::Cylinderd>::support(a, -(poseA.linear().transpose() * n));
+                const fcl::Vector3d highestB =
+                    poseB * ShapeTraits<fcl::Coned>::support(b, poseB.linear().transpose() * n);
                 EXPECT_NEAR(n.dot(lowestA - highestB), gap.lower, 1e-12);
             }
         }

@@ -15,9 +15,8 @@ namespace ompl_mfa::collision
     /** \brief What a picture of the plane draws for an obstacle: the part of it with zMin <= z <= zMax, seen from
         above.
 
-        A primitive gives one convex polygon (round outlines have 96 corners, all of them on the curve where the
-        primitive stands upright), a mesh one polygon or segment a triangle, an occupancy map one square an occupied
-        cell. Nothing comes back for an obstacle outside the slab.
+        A primitive gives one convex polygon (round outlines have up to 128 corners, all of them on the curve), a mesh
+        one polygon or segment a triangle, an occupancy map one square an occupied cell. Nothing comes back for an obstacle outside the slab.
         \throw std::invalid_argument where zMin > zMax. */
     std::vector<Polygon> planarOutline(const CollisionObject &object, double zMin = 0., double zMax = 0.);
 }  // namespace ompl_mfa::collision

@@ -1,0 +1,204 @@
+#ifndef OMPL_MFA_COLLISION_FCL_TRAVERSAL_
+#define OMPL_MFA_COLLISION_FCL_TRAVERSAL_
+
+#include <vector>
+
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include "ShapeKinds.h"
+#include "ShapeSeparation.h"
+
+namespace ompl_mfa::collision
+{
+    using BoundingVolume = fcl::OBBRSS<double>;
+
+    // FCL copies the points that it asks for even where no request of ours reads them.
+    inline void clearPoints(fcl::Vector3d *first, fcl::Vector3d *second)
+    {
+        for (fcl::Vector3d *point : {first, second})
+        {
+            if (point != nullptr)
+            {
+                point->setZero();
+            }
+        }
+    }
+
+    // What FCL's traversals of meshes and occupancy maps ask about single triangles and cells.
+    struct CertifiedSolver : fcl::detail::GJKSolver_libccd<double>
+    {
+        template <typename A, typename B>
+        bool shapeIntersect(const A &a, const fcl::Transform3d &poseA, const B &b, const fcl::Transform3d &poseB,
+                            std::vector<fcl::ContactPointd> * /*contacts*/) const
+        {
+            return separateShapes(a, poseA, b, poseB, true).lower <= 0.;
+        }
+
+        template <typename A, typename B>
+        bool shapeDistance(const A &a, const fcl::Transform3d &poseA, const B &b, const fcl::Transform3d &poseB,
+                           double *distance, fcl::Vector3d *nearestA, fcl::Vector3d *nearestB) const
+        {
+            clearPoints(nearestA, nearestB);
+            *distance = separateShapes(a, poseA, b, poseB, false).lower;
+            return *distance > 0.;
+        }
+
+        template <typename Shape>
+        bool shapeTriangleIntersect(const Shape &shape, const fcl::Transform3d &pose, const fcl::Vector3d &p1,
+                                    const fcl::Vector3d &p2, const fcl::Vector3d &p3, fcl::Vector3d *contact,
+                                    double *depth, fcl::Vector3d *normal) const
+        {
+            return shapeTriangleIntersect(shape, pose, p1, p2, p3, fcl::Transform3d::Identity(), contact, depth,
+                                          normal);
+        }
+
+        template <typename Shape>
+        bool shapeTriangleIntersect(const Shape &shape, const fcl::Transform3d &pose, const fcl::Vector3d &p1,
+                                    const fcl::Vector3d &p2, const fcl::Vector3d &p3,
+                                    const fcl::Transform3d &trianglePose, fcl::Vector3d *contact, double *depth,
+                                    fcl::Vector3d *normal) const
+        {
+            clearPoints(contact, normal);
+            if (depth != nullptr)
+            {
+                *depth = 0.;
+            }
+            return separate(shape, pose, fcl::TrianglePd(p1, p2, p3), trianglePose, true).lower <= 0.;
+        }
+
+        template <typename Shape>
+        bool shapeTriangleDistance(const Shape &shape, const fcl::Transform3d &pose, const fcl::Vector3d &p1,
+                                   const fcl::Vector3d &p2, const fcl::Vector3d &p3, double *distance,
+                                   fcl::Vector3d *nearestShape, fcl::Vector3d *nearestTriangle) const
+        {
+            return shapeTriangleDistance(shape, pose, p1, p2, p3, fcl::Transform3d::Identity(), distance, nearestShape,
+                                         nearestTriangle);
+        }
+
+        template <typename Shape>
+        bool shapeTriangleDistance(const Shape &shape, const fcl::Transform3d &pose, const fcl::Vector3d &p1,
+                                   const fcl::Vector3d &p2, const fcl::Vector3d &p3,
+                                   const fcl::Transform3d &trianglePose, double *distance, fcl::Vector3d *nearestShape,
+                                   fcl::Vector3d *nearestTriangle) const
+        {
+            clearPoints(nearestShape, nearestTriangle);
+            *distance = separate(shape, pose, fcl::TrianglePd(p1, p2, p3), trianglePose, false).lower;
+            return *distance > 0.;
+        }
+    };
+
+    // FCL fits the volume around a primitive anew for each query, on the heap. The box of the primitive does as
+    // well; its thinnest side is the roundness of the rectangle that distances are taken to.
+    template <typename Shape>
+    BoundingVolume volumeAround(const Shape &shape, const fcl::Transform3d &pose)
+    {
+        const fcl::AABBd core = coreBox(shape);
+        const double margin = ShapeTraits<Shape>::margin(shape);
+        const fcl::Vector3d half = 0.5 * (core.max_ - core.min_);
+        int thin = 0;
+        half.minCoeff(&thin);
+        const int second = (thin + 1) % 3;
+        const int third = (thin + 2) % 3;
+        BoundingVolume volume;
+        volume.obb.axis.col(0) = pose.linear().col(second);
+        volume.obb.axis.col(1) = pose.linear().col(third);
+        volume.obb.axis.col(2) = pose.linear().col(thin);
+        volume.obb.To = pose * core.center();
+        volume.obb.extent << half[second] + margin, half[third] + margin, half[thin] + margin;
+        volume.rss.axis = volume.obb.axis;
+        volume.rss.l[0] = 2. * half[second];
+        volume.rss.l[1] = 2. * half[third];
+        volume.rss.r = half[thin] + margin;
+        volume.rss.To = volume.obb.To - half[second] * volume.rss.axis.col(0) - half[third] * volume.rss.axis.col(1);
+        return volume;
+    }
+
+    // As FCL's initialize() does for both kinds of node, but for the volume.
+    template <typename Node, typename Shape, typename Request, typename Result>
+    void setUpTraversal(Node &node, const MeshGeometry &mesh, const fcl::Transform3d &meshPose, const Shape &shape,
+                        const fcl::Transform3d &shapePose, const CertifiedSolver &solver, const Request &request,
+                        Result &result)
+    {
+        node.request = request;
+        node.result = &result;
+        node.model1 = &mesh;
+        node.tf1 = meshPose;
+        node.model2 = &shape;
+        node.tf2 = shapePose;
+        node.nsolver = &solver;
+        node.model2_bv = volumeAround(shape, shapePose);
+        node.vertices = mesh.vertices;
+        node.tri_indices = mesh.tri_indices;
+    }
+
+    // FCL's traversal for a pair with a mesh or a map on at least one side.
+    template <typename A, typename B>
+    struct Traversal
+    {
+        static void collide(const fcl::CollisionGeometryd *a, const fcl::Transform3d &poseA,
+                            const fcl::CollisionGeometryd *b, const fcl::Transform3d &poseB,
+                            const fcl::CollisionRequestd &request, fcl::CollisionResultd &result)
+        {
+            static const CertifiedSolver solver;
+            if constexpr (std::is_same_v<A, MeshGeometry> && std::is_same_v<B, MeshGeometry>)
+            {
+                fcl::detail::BVHCollide<BoundingVolume>(a, poseA, b, poseB, request, result);
+            }
+            else if constexpr (std::is_same_v<A, MeshGeometry>)
+            {
+                fcl::detail::MeshShapeCollisionTraversalNodeOBBRSS<B, CertifiedSolver> node;
+                setUpTraversal(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB, solver,
+                               request, result);
+                fcl::detail::collide(&node);
+            }
+            else if constexpr (std::is_same_v<B, MeshGeometry>)
+            {
+                fcl::detail::OcTreeBVHCollide<BoundingVolume, CertifiedSolver>(a, poseA, b, poseB, &solver, request,
+                                                                               result);
+            }
+            else if constexpr (std::is_same_v<B, OccupancyTree>)
+            {
+                fcl::detail::OcTreeCollide<CertifiedSolver>(a, poseA, b, poseB, &solver, request, result);
+            }
+            else
+            {
+                fcl::detail::OcTreeShapeCollide<B, CertifiedSolver>(a, poseA, b, poseB, &solver, request, result);
+            }
+        }
+
+        static void distance(const fcl::CollisionGeometryd *a, const fcl::Transform3d &poseA,
+                             const fcl::CollisionGeometryd *b, const fcl::Transform3d &poseB,
+                             fcl::DistanceResultd &result)
+        {
+            static const CertifiedSolver solver;
+            static const fcl::DistanceRequestd request;
+            if constexpr (std::is_same_v<A, MeshGeometry> && std::is_same_v<B, MeshGeometry>)
+            {
+                fcl::detail::BVHDistance<BoundingVolume>(a, poseA, b, poseB, request, result);
+            }
+            else if constexpr (std::is_same_v<A, MeshGeometry>)
+            {
+                fcl::detail::MeshShapeDistanceTraversalNodeOBBRSS<B, CertifiedSolver> node;
+                setUpTraversal(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB, solver,
+                               request, result);
+                fcl::detail::distance(&node);
+            }
+            else if constexpr (std::is_same_v<B, MeshGeometry>)
+            {
+                fcl::detail::OcTreeBVHDistance<BoundingVolume, CertifiedSolver>(a, poseA, b, poseB, &solver, request,
+                                                                                result);
+            }
+            else if constexpr (std::is_same_v<B, OccupancyTree>)
+            {
+                fcl::detail::OcTreeDistance<CertifiedSolver>(a, poseA, b, poseB, &solver, request, result);
+            }
+            else
+            {
+                fcl::detail::OcTreeShapeDistance<B, CertifiedSolver>(a, poseA, b, poseB, &solver, request, result);
+            }
+        }
+    };
+}  // namespace ompl_mfa::collision
+
+#endif

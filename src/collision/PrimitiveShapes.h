@@ -1,0 +1,162 @@
+#ifndef OMPL_MFA_COLLISION_PRIMITIVE_SHAPES_
+#define OMPL_MFA_COLLISION_PRIMITIVE_SHAPES_
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/cone.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_box.h>
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_cylinder.h>
+
+#include "ompl_mfa/collision/Primitive.h"
+
+/* The one place where kinds of primitives are described. To add a kind, specialise ShapeTraits for FCL's shape and name
+   the shape in Primitives at the end: files, boxes, radii, pictures, collisions and distances all follow from these. */
+
+namespace ompl_mfa::collision
+{
+    /** \brief FCL's shape. \tparam Order which dimension goes to each argument of its constructor. */
+    template <typename Shape, std::size_t... Order>
+    std::shared_ptr<fcl::CollisionGeometryd> makeShape(const std::vector<double> &dimensions)
+    {
+        return std::make_shared<Shape>(dimensions[Order]...);
+    }
+
+    /** \brief What a kind of primitive may leave out. */
+    struct ShapeDefaults
+    {
+        /** \brief The shape is what a ball of this radius sweeps whose centre moves through its core. */
+        static double margin(const fcl::ShapeBased & /*shape*/)
+        {
+            return 0.;
+        }
+
+        /** \brief Whether there is a signedDistance(): that of a point, in the frame of the shape, to the core, minus
+            its depth inside. It sets the nearest point of the core where the point is outside. */
+        static constexpr bool hasSignedDistance = false;
+    };
+
+    /** \brief A kind of primitive: convex, its origin inside. Each has
+        - `type`: FCL's node type of the shape,
+        - `kind`: what a planning scene says of it,
+        - `support`: the point of its core that is farthest along a direction, not null, of its own frame. */
+    template <typename Shape>
+    struct ShapeTraits;
+
+    template <>
+    struct ShapeTraits<fcl::Boxd> : ShapeDefaults
+    {
+        static constexpr fcl::NODE_TYPE type = fcl::GEOM_BOX;
+
+        static PrimitiveKind kind()
+        {
+            return {"box", 1, {"x", "y", "z"}, false, makeShape<fcl::Boxd, 0, 1, 2>};
+        }
+
+        static fcl::Vector3d support(const fcl::Boxd &box, const fcl::Vector3d &direction)
+        {
+            return {std::copysign(0.5 * box.side[0], direction[0]), std::copysign(0.5 * box.side[1], direction[1]),
+                    std::copysign(0.5 * box.side[2], direction[2])};
+        }
+
+        static constexpr bool hasSignedDistance = true;
+
+        static double signedDistance(const fcl::Boxd &box, const fcl::Vector3d &point, fcl::Vector3d &nearest)
+        {
+            return fcl::detail::nearestPointInBox<double>(box.side, point, &nearest)
+                       ? (point - nearest).norm()
+                       : -(0.5 * box.side - point.cwiseAbs()).minCoeff();
+        }
+    };
+
+    template <>
+    struct ShapeTraits<fcl::Sphered> : ShapeDefaults
+    {
+        static constexpr fcl::NODE_TYPE type = fcl::GEOM_SPHERE;
+
+        // Of radius 0 it is a point.
+        static PrimitiveKind kind()
+        {
+            return {"sphere", 2, {"radius"}, true, makeShape<fcl::Sphered, 0>};
+        }
+
+        static fcl::Vector3d support(const fcl::Sphered & /*sphere*/, const fcl::Vector3d & /*direction*/)
+        {
+            return fcl::Vector3d::Zero();
+        }
+
+        static double margin(const fcl::Sphered &sphere)
+        {
+            return sphere.radius;
+        }
+
+        static constexpr bool hasSignedDistance = true;
+
+        static double signedDistance(const fcl::Sphered & /*sphere*/, const fcl::Vector3d &point,
+                                     fcl::Vector3d &nearest)
+        {
+            nearest.setZero();
+            return point.norm();
+        }
+    };
+
+    template <>
+    struct ShapeTraits<fcl::Cylinderd> : ShapeDefaults
+    {
+        static constexpr fcl::NODE_TYPE type = fcl::GEOM_CYLINDER;
+
+        // shape_msgs/SolidPrimitive lists the height first, FCL takes the radius first.
+        static PrimitiveKind kind()
+        {
+            return {"cylinder", 3, {"height", "radius"}, false, makeShape<fcl::Cylinderd, 1, 0>};
+        }
+
+        static fcl::Vector3d support(const fcl::Cylinderd &cylinder, const fcl::Vector3d &direction)
+        {
+            const double radial = std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
+            const double scale = radial > 0. ? cylinder.radius / radial : 0.;
+            return {scale * direction[0], scale * direction[1], std::copysign(0.5 * cylinder.lz, direction[2])};
+        }
+
+        static constexpr bool hasSignedDistance = true;
+
+        static double signedDistance(const fcl::Cylinderd &cylinder, const fcl::Vector3d &point, fcl::Vector3d &nearest)
+        {
+            return fcl::detail::nearestPointInCylinder<double>(cylinder.lz, cylinder.radius, point, &nearest)
+                       ? (point - nearest).norm()
+                       : -std::min(cylinder.radius - point.head<2>().norm(), 0.5 * cylinder.lz - std::abs(point.z()));
+        }
+    };
+
+    template <>
+    struct ShapeTraits<fcl::Coned> : ShapeDefaults
+    {
+        static constexpr fcl::NODE_TYPE type = fcl::GEOM_CONE;
+
+        static PrimitiveKind kind()
+        {
+            return {"cone", 4, {"height", "radius"}, false, makeShape<fcl::Coned, 1, 0>};
+        }
+
+        static fcl::Vector3d support(const fcl::Coned &cone, const fcl::Vector3d &direction)
+        {
+            const double radial = std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
+            if (cone.lz * direction[2] > cone.radius * radial)
+            {
+                return {0., 0., 0.5 * cone.lz};
+            }
+            const double scale = radial > 0. ? cone.radius / radial : 0.;
+            return {scale * direction[0], scale * direction[1], -0.5 * cone.lz};
+        }
+    };
+
+    using Primitives = std::tuple<fcl::Boxd, fcl::Sphered, fcl::Cylinderd, fcl::Coned>;
+}  // namespace ompl_mfa::collision
+
+#endif

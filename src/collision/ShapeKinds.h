@@ -1,0 +1,101 @@
+#ifndef OMPL_MFA_COLLISION_SHAPE_KINDS_
+#define OMPL_MFA_COLLISION_SHAPE_KINDS_
+
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include <fcl/geometry/octree/octree.h>
+
+#include "PrimitiveShapes.h"
+#include "ompl_mfa/collision/TriangleMesh.h"
+
+namespace ompl_mfa::collision
+{
+    using OccupancyTree = fcl::OcTree<double>;
+
+    /** \brief Everything that an obstacle or a part of a body may be. */
+    using ShapeKinds =
+        decltype(std::tuple_cat(std::declval<Primitives>(), std::declval<std::tuple<MeshGeometry, OccupancyTree>>()));
+
+    template <typename Shape>
+    constexpr bool isPrimitive = !std::is_same_v<Shape, MeshGeometry> && !std::is_same_v<Shape, OccupancyTree>;
+
+    template <typename Shape>
+    constexpr fcl::NODE_TYPE nodeType()
+    {
+        if constexpr (isPrimitive<Shape>)
+        {
+            return ShapeTraits<Shape>::type;
+        }
+        else
+        {
+            return std::is_same_v<Shape, MeshGeometry> ? fcl::BV_OBBRSS : fcl::GEOM_OCTREE;
+        }
+    }
+
+    /** \brief Position in ShapeKinds.
+        \throw std::invalid_argument where FCL's geometry is of no such kind. */
+    template <std::size_t Kind = 0>
+    std::size_t kindOf(const fcl::CollisionGeometryd &geometry)
+    {
+        if constexpr (Kind == std::tuple_size_v<ShapeKinds>)
+        {
+            throw std::invalid_argument("ompl_mfa::collision: this kind of FCL geometry is not supported");
+        }
+        else
+        {
+            return geometry.getNodeType() == nodeType<std::tuple_element_t<Kind, ShapeKinds>>()
+                       ? Kind
+                       : kindOf<Kind + 1>(geometry);
+        }
+    }
+
+    /** \brief One call operator out of several lambdas. */
+    template <typename... Lambdas>
+    struct Overloaded : Lambdas...
+    {
+        using Lambdas::operator()...;
+    };
+
+    template <typename... Lambdas>
+    Overloaded(Lambdas...) -> Overloaded<Lambdas...>;
+
+    /** \brief What `visitor` returns for the geometry as the type that it is, which is ShapeKinds[kind]. */
+    template <std::size_t Kind = 0, typename Visitor>
+    auto visitShape(const fcl::CollisionGeometryd &geometry, std::size_t kind, const Visitor &visitor)
+        -> std::invoke_result_t<const Visitor &, const MeshGeometry &>
+    {
+        if constexpr (Kind + 1 < std::tuple_size_v<ShapeKinds>)
+        {
+            if (kind != Kind)
+            {
+                return visitShape<Kind + 1>(geometry, kind, visitor);
+            }
+        }
+        return visitor(static_cast<const std::tuple_element_t<Kind, ShapeKinds> &>(geometry));
+    }
+
+    /** \throw std::invalid_argument as kindOf() does. */
+    template <typename Visitor>
+    auto visitShape(const fcl::CollisionGeometryd &geometry, const Visitor &visitor)
+    {
+        return visitShape(geometry, kindOf(geometry), visitor);
+    }
+
+    /** \brief The smallest box around the core of a primitive (its points without the margin), in its own frame. */
+    template <typename Shape>
+    fcl::AABBd coreBox(const Shape &primitive)
+    {
+        fcl::AABBd box;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            box.min_[axis] = ShapeTraits<Shape>::support(primitive, -fcl::Vector3d::Unit(axis))[axis];
+            box.max_[axis] = ShapeTraits<Shape>::support(primitive, fcl::Vector3d::Unit(axis))[axis];
+        }
+        return box;
+    }
+}  // namespace ompl_mfa::collision
+
+#endif
