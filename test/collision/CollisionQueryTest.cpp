@@ -319,6 +319,12 @@ namespace ompl_mfa::collision
             EXPECT_FALSE(CollisionQuery(share(Scene()), bodies).collides(poses.data()));
             EXPECT_TRUE(CollisionQuery(share(Scene()), bodies, MeshInterior::Solid).collides(poses.data()));
 
+            // The cells of a map are parts of their own.
+            Scene cells;
+            cells.add({"cells", occupancyMap({{0, 0, 0}, {40, 0, 0}}, 0.1)});
+            EXPECT_FALSE(CollisionQuery(share(cells), {bodyOf(shell)}).collides(&pose));
+            EXPECT_TRUE(CollisionQuery(share(cells), {bodyOf(shell)}, MeshInterior::Solid).collides(&pose));
+
             TriangleMesh open = boxMesh({1., 1., 1.});
             open.triangles.pop_back();
             Scene broken;
