@@ -27,7 +27,7 @@ namespace ompl_mfa::collision
     {
         for (const PrimitiveKind &kind : primitiveKinds())
         {
-            if (nameOrNumber == kind.name || nameOrNumber == std::to_string(kind.number))
+            if (!nameOrNumber.empty() && (nameOrNumber == kind.name || nameOrNumber == kind.number))
             {
                 return &kind;
             }

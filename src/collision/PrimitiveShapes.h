@@ -56,7 +56,7 @@ namespace ompl_mfa::collision
 
         static PrimitiveKind kind()
         {
-            return {"box", 1, {"x", "y", "z"}, false, makeShape<fcl::Boxd, 0, 1, 2>};
+            return {"box", "1", {"x", "y", "z"}, false, makeShape<fcl::Boxd, 0, 1, 2>};
         }
 
         static fcl::Vector3d support(const fcl::Boxd &box, const fcl::Vector3d &direction)
@@ -83,7 +83,7 @@ namespace ompl_mfa::collision
         // Of radius 0 it is a point.
         static PrimitiveKind kind()
         {
-            return {"sphere", 2, {"radius"}, true, makeShape<fcl::Sphered, 0>};
+            return {"sphere", "2", {"radius"}, true, makeShape<fcl::Sphered, 0>};
         }
 
         static fcl::Vector3d support(const fcl::Sphered & /*sphere*/, const fcl::Vector3d & /*direction*/)
@@ -114,7 +114,7 @@ namespace ompl_mfa::collision
         // shape_msgs/SolidPrimitive lists the height first, FCL takes the radius first.
         static PrimitiveKind kind()
         {
-            return {"cylinder", 3, {"height", "radius"}, false, makeShape<fcl::Cylinderd, 1, 0>};
+            return {"cylinder", "3", {"height", "radius"}, false, makeShape<fcl::Cylinderd, 1, 0>};
         }
 
         static fcl::Vector3d support(const fcl::Cylinderd &cylinder, const fcl::Vector3d &direction)
@@ -141,7 +141,7 @@ namespace ompl_mfa::collision
 
         static PrimitiveKind kind()
         {
-            return {"cone", 4, {"height", "radius"}, false, makeShape<fcl::Coned, 1, 0>};
+            return {"cone", "4", {"height", "radius"}, false, makeShape<fcl::Coned, 1, 0>};
         }
 
         static fcl::Vector3d support(const fcl::Coned &cone, const fcl::Vector3d &direction)

@@ -8,6 +8,10 @@
 #include <fcl/geometry/shape/cylinder.h>
 #include <gtest/gtest.h>
 
+#include "collision/RandomScenes.h"
+#include "ompl_mfa/collision/CollisionQuery.h"
+#include "ompl_mfa/collision/PlanarOutline.h"
+
 namespace ompl_mfa::collision
 {
     namespace
@@ -34,6 +38,41 @@ namespace ompl_mfa::collision
             EXPECT_EQ(static_cast<const fcl::Coned &>(*cone).radius, 0.5);
             const auto box = makePrimitive(*findPrimitiveKind("box"), {1., 2., 3.});
             EXPECT_EQ(static_cast<const fcl::Boxd &>(*box).side, fcl::Vector3d(1., 2., 3.));
+        }
+
+        // Whatever kinds there are: each has a box, a radius and a picture, and meets each other kind of obstacle.
+        TEST(Primitive, IsServedByEveryPartOfTheLibrary)
+        {
+            std::vector<CollisionObject> obstacles{{"mesh", makeMeshGeometry(boxMesh({1., 1., 1.}))},
+                                                   {"map", occupancyMap({{-1, -1, -1}, {0, 0, 0}}, 0.5)}};
+            for (const PrimitiveKind &kind : primitiveKinds())
+            {
+                obstacles.push_back({kind.name, makePrimitive(kind, std::vector<double>(kind.dimensions.size(), 1.))});
+            }
+            for (std::size_t i = 2; i < obstacles.size(); ++i)
+            {
+                const CollisionObject &primitive = obstacles[i];
+                const fcl::Transform3d here = fcl::Transform3d::Identity();
+                const fcl::AABBd box = boundingBox(*primitive.geometry, here);
+                const RigidBody robot({{primitive.geometry}});
+                EXPECT_GE(robot.radius(), box.max_.maxCoeff()) << primitive.id;
+                EXPECT_LE(robot.radius(), box.max_.norm() + 1e-12) << primitive.id;
+                EXPECT_EQ(planarOutline(primitive).size(), 1U) << primitive.id;
+                for (const CollisionObject &obstacle : obstacles)
+                {
+                    Scene scene;
+                    scene.add(obstacle);
+                    const CollisionQuery query(std::make_shared<Scene>(scene), {robot});
+                    EXPECT_TRUE(query.collides(&here)) << primitive.id << ", " << obstacle.id;
+                    fcl::Transform3d away = here;
+                    away.translation().x() = 5.;
+                    EXPECT_FALSE(query.collides(&away)) << primitive.id << ", " << obstacle.id;
+                    const double distance = query.distance(&away, 10.);
+                    const double between = 5. - box.max_.x() - boundingBox(*obstacle.geometry, here).max_.x();
+                    EXPECT_GE(distance, between - 1e-9) << primitive.id << ", " << obstacle.id;
+                    EXPECT_LE(distance, between + 0.25) << primitive.id << ", " << obstacle.id;
+                }
+            }
         }
 
         TEST(Primitive, RefusesWrongDimensions)

@@ -56,8 +56,9 @@ namespace ompl_mfa::collision
         /** \brief The smallest distance from any body to any obstacle and between bodies, in the units of the world;
             `limit` > 0 where it is no less than that.
 
-            Where shapes overlap, minus the largest depth among them: the shortest way to pull a sphere out of a sphere,
-            a box or a cylinder. Of other pairs no depth is known that could be trusted, and theirs counts as 0.
+            Where shapes overlap, minus the largest depth among them: the shortest way to pull a sphere out of a
+            primitive whose depth is known in closed form (all but the cone). Of other pairs no depth is known that
+            could be trusted, and theirs counts as 0.
             \param poses one for each body. */
         double distance(const fcl::Transform3d *poses, double limit) const;
 

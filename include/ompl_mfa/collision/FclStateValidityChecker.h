@@ -36,7 +36,7 @@ namespace ompl_mfa::collision
 
         /** \brief The smallest distance between a body and an obstacle or between two bodies, in the units of the
             world; infinity where there is nothing to hit. Where they overlap it is minus the depth for spheres (points,
-            discs, balls) in spheres, boxes and cylinders, and 0 for all other shapes. The bounds of the space do not
+            discs, balls) in primitives other than cones, and 0 for all other shapes. The bounds of the space do not
             count. */
         double clearance(const ompl::base::State *state) const override;
 

@@ -10,8 +10,8 @@ namespace ompl_mfa::collision
     /** \brief Read a planning scene in MoveIt's layout (`moveit_msgs/PlanningScene` as YAML).
 
         The obstacles are `world.collision_objects[]`, each with an `id`, an optional `pose`, and
-        - `primitives[]` (`type`: box, sphere, cylinder, cone or its number; `dimensions`: box x y z, sphere radius,
-          cylinder and cone height radius) with `primitive_poses[]`;
+        - `primitives[]` (`type`: the name of one of primitiveKinds() or its number; `dimensions`: in its order) with
+          `primitive_poses[]`;
         - `meshes[]` (`resource`: a mesh file beside the scene, with an optional `scale`; or `vertices[]` and
           `triangles[]`) with `mesh_poses[]`.
 

@@ -10,16 +10,14 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A kind of primitive shape, as `shape_msgs/SolidPrimitive` lays it out.
-
-        The list of primitiveKinds() is the one place to touch to add another kind. */
+    /** \brief A kind of primitive shape, as a planning scene names it. docs/collision.md tells how to add another. */
     struct PrimitiveKind
     {
         /** \brief Name in a planning scene, in lower case. */
         const char *name;
 
-        /** \brief Number in a planning scene. */
-        int number;
+        /** \brief Number in `shape_msgs/SolidPrimitive`; empty where MoveIt has no such shape. */
+        const char *number;
 
         /** \brief Names of the dimensions, in their order. Every dimension is a length. */
         std::vector<const char *> dimensions;
@@ -31,7 +29,7 @@ namespace ompl_mfa::collision
         std::shared_ptr<fcl::CollisionGeometryd> (*make)(const std::vector<double> &dimensions);
     };
 
-    /** \brief The primitives that scenes and robots may be made of: box, sphere, cylinder, cone. */
+    /** \brief The primitives that scenes and robots may be made of. */
     const std::vector<PrimitiveKind> &primitiveKinds();
 
     /** \brief The kind with this name (in lower case) or number; null where there is none. */
@@ -39,7 +37,7 @@ namespace ompl_mfa::collision
 
     /** \brief Make a primitive.
         \throw std::invalid_argument naming the dimension and its value, where their number is wrong, or one is
-        negative, zero (a sphere may have radius 0: it is a point) or not finite. */
+        negative, not finite, or zero where it may not vanish. */
     std::shared_ptr<fcl::CollisionGeometryd> makePrimitive(const PrimitiveKind &kind,
                                                            const std::vector<double> &dimensions);
 }  // namespace ompl_mfa::collision

@@ -37,14 +37,15 @@ namespace ompl_mfa::collision
             return shapes_;
         }
 
-        /** \brief Radius of the smallest ball about the reference point that holds the body. */
+        /** \brief Radius of a ball about the reference point that holds the body: the smallest for spheres, boxes and
+            meshes, otherwise that of the boxes around the shapes. */
         double radius() const
         {
             return radius_;
         }
 
-        /** \brief Radius of the smallest upright cylinder about the reference point that holds the body: what a
-            rotation about z can displace. */
+        /** \brief Radius of an upright cylinder about the reference point that holds the body, as close as radius():
+            what a rotation about z can displace. */
         double planarRadius() const
         {
             return planarRadius_;
