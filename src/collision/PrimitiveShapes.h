@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cone.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
@@ -156,7 +157,37 @@ namespace ompl_mfa::collision
         }
     };
 
-    using Primitives = std::tuple<fcl::Boxd, fcl::Sphered, fcl::Cylinderd, fcl::Coned>;
+    template <>
+    struct ShapeTraits<fcl::Capsuled> : ShapeDefaults
+    {
+        static constexpr fcl::NODE_TYPE type = fcl::GEOM_CAPSULE;
+
+        // Not one of MoveIt's. Its height is that of the cylinder between the two half balls.
+        static PrimitiveKind kind()
+        {
+            return {"capsule", "", {"height", "radius"}, false, makeShape<fcl::Capsuled, 1, 0>};
+        }
+
+        static fcl::Vector3d support(const fcl::Capsuled &capsule, const fcl::Vector3d &direction)
+        {
+            return {0., 0., std::copysign(0.5 * capsule.lz, direction[2])};
+        }
+
+        static double margin(const fcl::Capsuled &capsule)
+        {
+            return capsule.radius;
+        }
+
+        static constexpr bool hasSignedDistance = true;
+
+        static double signedDistance(const fcl::Capsuled &capsule, const fcl::Vector3d &point, fcl::Vector3d &nearest)
+        {
+            nearest = {0., 0., std::clamp(point.z(), -0.5 * capsule.lz, 0.5 * capsule.lz)};
+            return (point - nearest).norm();
+        }
+    };
+
+    using Primitives = std::tuple<fcl::Boxd, fcl::Sphered, fcl::Cylinderd, fcl::Coned, fcl::Capsuled>;
 }  // namespace ompl_mfa::collision
 
 #endif

@@ -129,6 +129,9 @@ namespace ompl_mfa::collision
             const CollisionQuery inBox(share(boxes), {RigidBody::sphere(radius)});
             const CollisionQuery inCylinder(share(cylinders), {RigidBody::sphere(radius)});
             const CollisionQuery inCone(share(cones), {RigidBody::sphere(radius)});
+            Scene capsules;
+            capsules.add({"", std::make_shared<fcl::Capsuled>(1., 4.), place});
+            const CollisionQuery inCapsule(share(capsules), {RigidBody::sphere(radius)});
             for (int i = 0; i < 1000; ++i)
             {
                 const fcl::Vector3d centre = random.point(1.);
@@ -139,6 +142,7 @@ namespace ompl_mfa::collision
                 EXPECT_NEAR(inCylinder.distance(&pose, unlimited),
                             radial - radius - std::min(1., radial + 2. - std::abs(centre.z())), 1e-12);
                 EXPECT_GE(inCone.distance(&pose, unlimited), 0.);
+                EXPECT_NEAR(inCapsule.distance(&pose, unlimited), radial - radius - 1., 1e-12);
             }
         }
 

@@ -82,7 +82,7 @@ namespace ompl_mfa::collision
                 si = std::make_shared<ob::SpaceInformation>(space);
                 Random random(1);
                 Scene scene;
-                for (const char *kind : {"sphere", "box", "cylinder", "cone"})
+                for (const char *kind : {"sphere", "box", "cylinder", "cone", "capsule"})
                 {
                     for (int i = 0; i < 8; ++i)
                     {
@@ -144,9 +144,9 @@ namespace ompl_mfa::collision
 
         std::vector<std::shared_ptr<fcl::CollisionGeometryd>> robots()
         {
-            return {std::make_shared<fcl::Sphered>(0.4), std::make_shared<fcl::Boxd>(0.5, 0.7, 0.9),
-                    std::make_shared<fcl::Cylinderd>(0.3, 1.), std::make_shared<fcl::Coned>(0.4, 0.8),
-                    makeMeshGeometry(boxMesh({0.5, 0.7, 0.9}))};
+            return {std::make_shared<fcl::Sphered>(0.4),        std::make_shared<fcl::Capsuled>(0.2, 0.8),
+                    std::make_shared<fcl::Boxd>(0.5, 0.7, 0.9), std::make_shared<fcl::Cylinderd>(0.3, 1.),
+                    std::make_shared<fcl::Coned>(0.4, 0.8),     makeMeshGeometry(boxMesh({0.5, 0.7, 0.9}))};
         }
 
         TEST(Concurrency, ThreadsGetTheAnswersOfOne)

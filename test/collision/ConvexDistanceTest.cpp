@@ -1,7 +1,9 @@
 #include "ConvexDistance.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/capsule_capsule.h>
 #include <gtest/gtest.h>
 
 #include "collision/RandomScenes.h"
@@ -122,6 +124,34 @@ namespace ompl_mfa::collision
             expectAgreement<Cylinderd, Cylinderd>("cylinder", "cylinder");
             expectAgreement<Cylinderd, Coned>("cylinder", "cone");
             expectAgreement<Coned, Coned>("cone", "cone");
+        }
+
+        // A capsule is a segment with a margin, so two of them are as far apart as their segments.
+        TEST(ConvexDistance, CapsulesAgreeWithTheirSegments)
+        {
+            Random random(8);
+            int apart = 0;
+            for (int i = 0; i < 2000; ++i)
+            {
+                const fcl::Capsuled a(random.uniform(0.1, 0.5), random.uniform(0.1, 2.));
+                const fcl::Capsuled b(random.uniform(0.1, 0.5), random.uniform(0.1, 2.));
+                const fcl::Transform3d poseA = random.pose(1.5);
+                const fcl::Transform3d poseB = random.pose(1.5);
+                fcl::Vector3d nearestA;
+                fcl::Vector3d nearestB;
+                double shareA = 0.;
+                double shareB = 0.;
+                const fcl::Vector3d halfA = 0.5 * a.lz * poseA.linear().col(2);
+                const fcl::Vector3d halfB = 0.5 * b.lz * poseB.linear().col(2);
+                const double squared = fcl::detail::closestPtSegmentSegment<double>(
+                    poseA.translation() - halfA, poseA.translation() + halfA, poseB.translation() - halfB,
+                    poseB.translation() + halfB, &shareA, &shareB, &nearestA, &nearestB);
+                const double expected = std::sqrt(squared) - a.radius - b.radius;
+                const ConvexSeparation gap = separate(a, poseA, b, poseB, false);
+                EXPECT_NEAR(std::max(0., gap.lower), std::max(0., expected), 1e-9) << i;
+                apart += expected > 0. ? 1 : 0;
+            }
+            EXPECT_GT(apart, 500);
         }
 
         // The plane that proves the distance keeps every support point of the two on its own side.
