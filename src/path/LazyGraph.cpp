@@ -15,6 +15,10 @@ namespace ompl_mfa
         constexpr unsigned int STALE_AFTER = 24;
         /* Edges that a search handles for the price of one state check. */
         constexpr std::uint64_t EDGES_PER_WORK = 2;
+        /* Vertices handled between two looks at the stop condition. */
+        constexpr std::size_t VERTICES_BETWEEN_STOPS = 64;
+        /* Times that a cost-to-go may be handed on anew in a graph where cycles may earn something. */
+        constexpr unsigned int MAX_EXPANSIONS = 20;
     }  // namespace
 
     LazyGraph::LazyGraph(PathEvaluator &evaluator)
@@ -31,12 +35,14 @@ namespace ompl_mfa
         checks_.clear();
         starts_.clear();
         goals_.clear();
+        acyclic_ = true;
     }
 
     std::size_t LazyGraph::addVertex(const ob::State *state, bool valid)
     {
         states_.append(state);
-        vertices_.push_back({{}, {}, 0.0, 0.0, NONE, false, false, false, valid ? Validity::Valid : Validity::Unknown});
+        vertices_.push_back(
+            {{}, {}, 0.0, 0.0, NONE, 0, false, false, false, valid ? Validity::Valid : Validity::Unknown});
         return vertices_.size() - 1;
     }
 
@@ -51,19 +57,27 @@ namespace ompl_mfa
         goals_.push_back(vertex);
     }
 
-    void LazyGraph::addEdge(std::size_t from, std::size_t to, bool bothWays)
+    bool LazyGraph::addEdge(std::size_t from, std::size_t to, bool bothWays)
     {
-        const double cost = evaluator_.objective()->motionCost(states_[from], states_[to]).value();
-        const auto add = [&](std::size_t a, std::size_t b)
+        ob::Cost cost;
+        if (!evaluator_.motionCost(states_[from], states_[to], cost))
+            return false;
+        // an objective calls itself symmetric by default where the space is, mechanical work too
+        ob::Cost reverse = cost;
+        if (bothWays && !evaluator_.bounds().certain() && !evaluator_.motionCost(states_[to], states_[from], reverse))
+            return false;
+        acyclic_ = acyclic_ && from < to && !bothWays;
+        const auto add = [&](std::size_t a, std::size_t b, ob::Cost ab)
         {
             vertices_[a].out.push_back(edges_.size());
             vertices_[b].in.push_back(edges_.size());
-            edges_.push_back({a, b, checks_.size(), cost});
+            edges_.push_back({a, b, checks_.size(), ab.value()});
         };
-        add(from, to);
+        add(from, to, cost);
         if (bothWays)
-            add(to, from);
+            add(to, from, reverse);
         checks_.push_back(Validity::Unknown);
+        return true;
     }
 
     bool LazyGraph::better(double a, double b) const
@@ -97,41 +111,82 @@ namespace ompl_mfa
         return entry;
     }
 
-    /* Cost-to-go of every vertex from which a goal can be reached by motions not known to be invalid. */
-    void LazyGraph::backward(double bound)
+    /* Cost-to-go of every vertex from which a goal can be reached by motions not known to be invalid. False if
+       interrupted. */
+    bool LazyGraph::backward(double bound)
     {
         for (auto &vertex : vertices_)
+        {
             vertex.reaches = false;
-        queue_.clear();
+            vertex.expansions = 0;
+        }
         for (const std::size_t goal : goals_)
         {
             vertices_[goal].costToGo = evaluator_.objective()->terminalCost(states_[goal]).value();
             vertices_[goal].reaches = true;
-            push(queue_, {vertices_[goal].costToGo, goal});
         }
+        // a bad end of a path cannot be made up for where no motion earns anything
+        const bool monotone = evaluator_.bounds().monotone();
+        return acyclic_ && !monotone ? backwardInOrder() : backwardBestFirst(monotone, bound);
+    }
+
+    bool LazyGraph::backwardInOrder()
+    {
+        for (std::size_t v = vertices_.size(); v-- > 0;)
+        {
+            if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return false;
+            if (!vertices_[v].reaches)
+                continue;
+            for (const std::size_t e : vertices_[v].in)
+                relax(edges_[e]);
+        }
+        evaluator_.addWork(1 + edges_.size() / EDGES_PER_WORK);
+        return true;
+    }
+
+    bool LazyGraph::backwardBestFirst(bool monotone, double bound)
+    {
+        // where motions earn something, a cycle might make its vertices better for ever
+        const unsigned int expansions = monotone ? 1 : MAX_EXPANSIONS;
+        queue_.clear();
+        for (const std::size_t goal : goals_)
+            push(queue_, {vertices_[goal].costToGo, goal});
         std::uint64_t handled = 0;
+        std::uint64_t popped = 0;
         while (!queue_.empty())
         {
+            if (++popped % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return false;
             const QueueEntry entry = pop(queue_);
-            if (better(vertices_[entry.index].costToGo, entry.key))
+            Vertex &vertex = vertices_[entry.index];
+            if (better(vertex.costToGo, entry.key) || vertex.expansions >= expansions)
                 continue;
-            for (const std::size_t e : vertices_[entry.index].in)
+            ++vertex.expansions;
+            for (const std::size_t e : vertex.in)
             {
-                const Edge &edge = edges_[e];
                 ++handled;
-                if (checks_[edge.check] == Validity::Invalid)
-                    continue;
-                const double cost = combine(edge.cost, entry.key);
-                Vertex &vertex = vertices_[edge.from];
-                if (vertex.validity == Validity::Invalid || (vertex.reaches && !better(cost, vertex.costToGo)) ||
-                    !canBeat(cost, bound))
-                    continue;
-                vertex.reaches = true;
-                vertex.costToGo = cost;
-                push(queue_, {cost, edge.from});
+                const Edge &edge = edges_[e];
+                if ((!monotone || canBeat(combine(edge.cost, vertex.costToGo), bound)) && relax(edge))
+                    push(queue_, {vertices_[edge.from].costToGo, edge.from});
             }
         }
         evaluator_.addWork(1 + handled / EDGES_PER_WORK);
+        return true;
+    }
+
+    /* Takes an edge for the way to the goal if it is better than what is known. */
+    bool LazyGraph::relax(const Edge &edge)
+    {
+        Vertex &vertex = vertices_[edge.from];
+        if (checks_[edge.check] == Validity::Invalid || vertex.validity == Validity::Invalid)
+            return false;
+        const double cost = combine(edge.cost, vertices_[edge.to].costToGo);
+        if (vertex.reaches && !better(cost, vertex.costToGo))
+            return false;
+        vertex.reaches = true;
+        vertex.costToGo = cost;
+        return true;
     }
 
     /* Checks the state at the end of a motion first: an invalid one rules out all motions to it at once. */
@@ -179,6 +234,8 @@ namespace ompl_mfa
             const Edge &edge = edges_[e];
             if (++handled % EDGES_PER_WORK == 0)
                 evaluator_.addWork(1);
+            if (handled % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return Outcome::Stopped;
             if (vertices_[edge.to].reached || vertices_[edge.to].validity == Validity::Invalid)
                 continue;
             Validity &validity = checks_[edge.check];
@@ -231,7 +288,8 @@ namespace ompl_mfa
         exhausted_ = false;
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
-            backward(bound);
+            if (!backward(bound))
+                return false;
             std::size_t goal = NONE;
             // in a large graph the backward pass alone may use up the work: the motions still get a share of their own
             switch (forward(bound, std::max(limit, evaluator_.work() + work / 2), goal))

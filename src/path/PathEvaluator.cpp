@@ -11,11 +11,14 @@ namespace ompl_mfa
     {
         /* OMPL bisects a motion: an invalid one is found out after this part of its states, as a rule. */
         constexpr std::uint64_t INVALID_EARLY = 6;
+        /* Motion costs that are mere distances, computed between two looks at the stop condition. */
+        constexpr std::uint64_t DISTANCES_BETWEEN_STOPS = 64;
     }  // namespace
 
     PathEvaluator::PathEvaluator(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective)
       : si_(std::move(si))
       , objective_(std::move(objective))
+      , bounds_(si_, objective_)
       , scratch_(si_->allocState())
     {
     }
@@ -36,12 +39,40 @@ namespace ompl_mfa
         partialPath_ = std::move(event);
     }
 
+    bool PathEvaluator::motionCost(const ob::State *from, const ob::State *to, ob::Cost &cost)
+    {
+        if ((!bounds_.certain() || ++distances_ % DISTANCES_BETWEEN_STOPS == 0) && stopped())
+        {
+            cost = objective_->infiniteCost();
+            return false;
+        }
+        cost = objective_->motionCost(from, to);
+        bounds_.observeMotion(from, to, cost);
+        return true;
+    }
+
     ob::Cost PathEvaluator::cost(const Waypoints &path)
     {
         work_ += path.size();
+        motionCosts_.resize(path.size() - 1);
+        for (std::size_t i = 0; i < motionCosts_.size(); ++i)
+        {
+            if (!motionCost(path[i], path[i + 1], motionCosts_[i]))
+                return objective_->infiniteCost();
+        }
+        return cost(path, motionCosts_);
+    }
+
+    ob::Cost PathEvaluator::cost(const Waypoints &path, const std::vector<ob::Cost> &motionCosts)
+    {
+        ob::Cost motions = objective_->identityCost();
         ob::Cost cost = objective_->initialCost(path.front());
-        for (std::size_t i = 1; i < path.size(); ++i)
-            cost = objective_->combineCosts(cost, objective_->motionCost(path[i - 1], path[i]));
+        for (const ob::Cost motion : motionCosts)
+        {
+            motions = objective_->combineCosts(motions, motion);
+            cost = objective_->combineCosts(cost, motion);
+        }
+        bounds_.observePath(path.front(), path.back(), motions);
         return objective_->combineCosts(cost, objective_->terminalCost(path.back()));
     }
 
@@ -87,6 +118,8 @@ namespace ompl_mfa
     Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival)
     {
         Brightness result{0.0, cost(path).value()};
+        if (interrupted_)
+            return {};
         const bool feasibleRival = rival != nullptr && rival->isFeasible();
         if (feasibleRival && !isBrighter(result, *rival))
             return {};

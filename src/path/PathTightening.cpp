@@ -16,8 +16,6 @@ namespace ompl_mfa
         constexpr double IDLE_GAIN = 1e-5;
         constexpr unsigned int IDLE_ROUNDS = 4;
         constexpr unsigned int IDLE_ROUNDS_A_DIMENSION = 2;
-        /* Motion costs computed between two looks at the stop condition: they may take as long as motion checks. */
-        constexpr std::size_t COSTS_BETWEEN_STOPS = 4;
         /* First random step of a vertex, in parts of the distance to the nearer neighbour. */
         constexpr double FIRST_STEP = 0.25;
         /* Random steps are tried on cost this often before one is checked for validity. */
@@ -44,6 +42,7 @@ namespace ompl_mfa
     void PathTightening::begin(const Waypoints &path)
     {
         path_ = path;
+        costs_.clear();
         steps_.clear();
         for (std::size_t i = 0; i < path_.size(); ++i)
             steps_.push_back(firstStep(i));
@@ -54,12 +53,14 @@ namespace ompl_mfa
     bool PathTightening::advance(std::uint64_t work)
     {
         workLimit_ = evaluator_.work() + work;
-        const ob::Cost first = evaluator_.cost(path_);
+        if (!completeCosts())
+            return false;
+        const ob::Cost first = cost();
         ob::Cost before = first;
         while (path_.size() > 2 && evaluator_.work() < workLimit_ && !evaluator_.interrupted())
         {
             round();
-            const ob::Cost after = evaluator_.cost(path_);
+            const ob::Cost after = cost();
             const bool idle = !(std::abs(before.value() - after.value()) > IDLE_GAIN * std::abs(after.value()));
             idleRounds_ = idle ? idleRounds_ + 1 : 0;
             before = after;
@@ -92,10 +93,30 @@ namespace ompl_mfa
         }
     }
 
-    ob::Cost PathTightening::localCost(const ob::State *a, const ob::State *b, const ob::State *c) const
+    ob::Cost PathTightening::cost() const
     {
-        const auto &objective = evaluator_.objective();
-        return objective->combineCosts(objective->motionCost(a, b), objective->motionCost(b, c));
+        if (costs_.size() + 1 < path_.size())
+            return evaluator_.objective()->infiniteCost();
+        return evaluator_.cost(path_, costs_);
+    }
+
+    bool PathTightening::completeCosts()
+    {
+        while (costs_.size() + 1 < path_.size())
+        {
+            const std::size_t i = costs_.size();
+            ob::Cost cost;
+            evaluator_.addWork(1);
+            if (!evaluator_.motionCost(path_[i], path_[i + 1], cost))
+                return false;
+            costs_.push_back(cost);
+        }
+        return true;
+    }
+
+    ob::Cost PathTightening::cornerCost(std::size_t i) const
+    {
+        return evaluator_.objective()->combineCosts(costs_[i - 1], costs_[i]);
     }
 
     PathTightening::Step PathTightening::firstStep(std::size_t i) const
@@ -109,15 +130,22 @@ namespace ompl_mfa
                                  FIRST_STEP * spacing / std::sqrt(static_cast<double>(chart_->dimension()))));
     }
 
-    void PathTightening::insertVertex(std::size_t i, const ob::State *state)
+    /* The motion that led past the new vertex is replaced by two, which cost \e before and \e after. */
+    void PathTightening::insertVertex(std::size_t i, const ob::State *state, ob::Cost before, ob::Cost after)
     {
         path_.insert(i, state);
+        costs_[i - 1] = before;
+        costs_.insert(costs_.begin() + static_cast<std::ptrdiff_t>(i), after);
         steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(i), firstStep(i));
     }
 
-    void PathTightening::eraseVertices(std::size_t first, std::size_t last)
+    /* The motions to and from the vertices are replaced by one, which costs \e joined. */
+    void PathTightening::eraseVertices(std::size_t first, std::size_t last, ob::Cost joined)
     {
         path_.erase(first, last);
+        costs_.erase(costs_.begin() + static_cast<std::ptrdiff_t>(first),
+                     costs_.begin() + static_cast<std::ptrdiff_t>(last));
+        costs_[first - 1] = joined;
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(first),
                      steps_.begin() + static_cast<std::ptrdiff_t>(last));
     }
@@ -134,17 +162,19 @@ namespace ompl_mfa
     bool PathTightening::remove(std::size_t i)
     {
         // where the chord is far better than the corner, it is blocked more often than not: ask for it rarely
-        const auto &objective = evaluator_.objective();
-        const ob::Cost chord = objective->motionCost(path_[i - 1], path_[i + 1]);
-        const ob::Cost corner = localCost(path_[i - 1], path_[i], path_[i + 1]);
+        ob::Cost chord;
+        if (!evaluator_.motionCost(path_[i - 1], path_[i + 1], chord))
+            return false;
+        const ob::Cost corner = cornerCost(i);
+        evaluator_.observePath(path_[i - 1], path_[i + 1], corner);
         evaluator_.addWork(1);
-        if (objective->isCostBetterThan(corner, chord))
+        if (evaluator_.objective()->isCostBetterThan(corner, chord))
             return false;
         if (steps_[i].pull < 0.3 && rng_.uniform01() > 0.1)
             return false;
         if (!evaluator_.checkMotion(path_[i - 1], path_[i + 1]))
             return false;
-        eraseVertices(i, i + 1);
+        eraseVertices(i, i + 1, chord);
         return true;
     }
 
@@ -176,43 +206,58 @@ namespace ompl_mfa
         if (toVertex)
             space->copyState(b_, path_[last + 1]);
 
-        ob::Cost old = objective->motionCost(path_[first], path_[first + 1]);
+        ob::Cost old = costs_[first];
         for (std::size_t k = first + 1; k <= last; ++k)
-        {
-            if (k % COSTS_BETWEEN_STOPS == 0 && evaluator_.stopped())
-                return false;
-            old = objective->combineCosts(old, objective->motionCost(path_[k], path_[k + 1]));
-        }
-        ob::Cost fresh = objective->motionCost(a_, b_);
-        if (!fromVertex)
-            fresh = objective->combineCosts(objective->motionCost(path_[first], a_), fresh);
+            old = objective->combineCosts(old, costs_[k]);
+        ob::Cost head;
+        ob::Cost bridge;
+        ob::Cost tail;
+        if (!evaluator_.motionCost(a_, b_, bridge) || (!fromVertex && !evaluator_.motionCost(path_[first], a_, head)) ||
+            (!toVertex && !evaluator_.motionCost(b_, path_[last + 1], tail)))
+            return false;
+        ob::Cost fresh = fromVertex ? bridge : objective->combineCosts(head, bridge);
         if (!toVertex)
-            fresh = objective->combineCosts(fresh, objective->motionCost(b_, path_[last + 1]));
+            fresh = objective->combineCosts(fresh, tail);
         evaluator_.addWork(last - first + 3);
         if (!objective->isCostBetterThan(fresh, old))
             return false;
         if (!evaluator_.checkMotion(a_, b_) || (!fromVertex && !evaluator_.checkMotion(path_[first], a_)) ||
             (!toVertex && !evaluator_.checkMotion(b_, path_[last + 1])))
             return false;
-        eraseVertices(first + 1, last + 1);
+        eraseVertices(first + 1, last + 1, bridge);
         if (!toVertex)
-            insertVertex(first + 1, b_);
+            insertVertex(first + 1, b_, bridge, tail);
         if (!fromVertex)
-            insertVertex(first + 1, a_);
+            insertVertex(first + 1, a_, head, bridge);
+        return true;
+    }
+
+    /* Whether the motions to and from the vertex, which would cost \e before and \e after, cost less if it were at
+       \e state. */
+    bool PathTightening::improves(std::size_t i, const ob::State *state, ob::Cost &before, ob::Cost &after)
+    {
+        const auto &objective = evaluator_.objective();
+        return evaluator_.motionCost(path_[i - 1], state, before) &&
+               evaluator_.motionCost(state, path_[i + 1], after) &&
+               objective->isCostBetterThan(objective->combineCosts(before, after), cornerCost(i));
+    }
+
+    bool PathTightening::moveVertex(std::size_t i, const ob::State *state, ob::Cost before, ob::Cost after)
+    {
+        if (!evaluator_.checkMotion(path_[i - 1], state) || !evaluator_.checkMotion(state, path_[i + 1]))
+            return false;
+        chart_->space()->copyState(path_[i], state);
+        costs_[i - 1] = before;
+        costs_[i] = after;
         return true;
     }
 
     bool PathTightening::replaceVertex(std::size_t i, const ob::State *state)
     {
-        const auto &objective = evaluator_.objective();
+        ob::Cost before;
+        ob::Cost after;
         evaluator_.addWork(2);
-        if (!objective->isCostBetterThan(localCost(path_[i - 1], state, path_[i + 1]),
-                                         localCost(path_[i - 1], path_[i], path_[i + 1])))
-            return false;
-        if (!evaluator_.checkMotion(path_[i - 1], state) || !evaluator_.checkMotion(state, path_[i + 1]))
-            return false;
-        chart_->space()->copyState(path_[i], state);
-        return true;
+        return improves(i, state, before, after) && moveVertex(i, state, before, after);
     }
 
     double PathTightening::smallestStep() const
@@ -306,19 +351,19 @@ namespace ompl_mfa
 
     bool PathTightening::perturb(std::size_t i)
     {
-        const auto &objective = evaluator_.objective();
         VertexSearch &search = steps_[i].search;
         if (search.sigma() < smallestStep())
             search = VertexSearch(chart_->dimension(), 1e3 * smallestStep());
-        const ob::Cost cost = localCost(path_[i - 1], path_[i], path_[i + 1]);
-        for (unsigned int k = 0; k < COST_TRIES; ++k)
+        for (unsigned int k = 0; k < COST_TRIES && !evaluator_.interrupted(); ++k)
         {
+            ob::Cost before;
+            ob::Cost after;
             search.draw(rng_, delta_);
             chart_->displace(path_[i], delta_, a_);
             evaluator_.addWork(1);
-            if (!objective->isCostBetterThan(localCost(path_[i - 1], a_, path_[i + 1]), cost))
+            if (!improves(i, a_, before, after))
                 search.failed();
-            else if (replaceVertex(i, a_))
+            else if (moveVertex(i, a_, before, after))
             {
                 search.succeeded();
                 return true;
@@ -358,22 +403,28 @@ namespace ompl_mfa
     {
         const auto &space = chart_->space();
         const auto &objective = evaluator_.objective();
+        ob::Cost before;
+        ob::Cost cut;
+        ob::Cost after;
         for (double part = 0.5; part > 0.01; part *= 0.4)
         {
             space->interpolate(path_[i - 1], path_[i], 1.0 - part, a_);
             space->enforceBounds(a_);
             space->interpolate(path_[i], path_[i + 1], part, b_);
             space->enforceBounds(b_);
-            const ob::Cost cut =
-                objective->combineCosts(localCost(path_[i - 1], a_, b_), objective->motionCost(b_, path_[i + 1]));
-            if (objective->isCostBetterThan(localCost(path_[i - 1], path_[i], path_[i + 1]), cut))
+            if (!evaluator_.motionCost(path_[i - 1], a_, before) || !evaluator_.motionCost(a_, b_, cut) ||
+                !evaluator_.motionCost(b_, path_[i + 1], after))
+                return false;
+            const ob::Cost around = objective->combineCosts(objective->combineCosts(before, cut), after);
+            if (objective->isCostBetterThan(cornerCost(i), around))
                 continue;
             if (evaluator_.checkMotion(a_, b_) && evaluator_.checkMotion(path_[i - 1], a_) &&
                 evaluator_.checkMotion(b_, path_[i + 1]))
             {
                 space->copyState(path_[i], b_);
+                costs_[i] = after;
                 steps_[i] = firstStep(i);
-                insertVertex(i, a_);
+                insertVertex(i, a_, before, cut);
                 return true;
             }
         }

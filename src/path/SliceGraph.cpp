@@ -1,17 +1,9 @@
 #include "ompl_mfa/path/SliceGraph.h"
 
-#include <cmath>
-
 namespace ob = ompl::base;
 
 namespace ompl_mfa
 {
-    namespace
-    {
-        /* Motion costs computed between two looks at the stop condition. */
-        constexpr std::size_t COSTS_BETWEEN_STOPS = 8;
-    }  // namespace
-
     SliceGraph::SliceGraph(const SliceFrame &frame, PathEvaluator &evaluator)
       : frame_(frame)
       , evaluator_(evaluator)
@@ -39,17 +31,9 @@ namespace ompl_mfa
 
     bool SliceGraph::search(double bound, std::uint64_t work, Waypoints &path)
     {
-        const auto &objective = evaluator_.objective();
         const ob::State *start = frame_.axis().front();
         const ob::State *goal = frame_.axis().back();
         graph_.clear();
-        const auto canHelp = [&](const ob::State *state)
-        {
-            return std::isinf(bound) ||
-                   objective->isCostBetterThan(objective->combineCosts(objective->motionCostHeuristic(start, state),
-                                                                       objective->motionCostHeuristic(state, goal)),
-                                               ob::Cost(bound));
-        };
         std::vector<std::size_t> layer{graph_.addVertex(start, true)};
         graph_.setStart(layer.front());
         std::vector<std::size_t> next;
@@ -57,12 +41,10 @@ namespace ompl_mfa
         {
             for (const std::size_t from : layer)
             {
-                for (std::size_t i = 0; i < next.size(); ++i)
+                for (const std::size_t to : next)
                 {
-                    // the costs of motions may take as long as their checks
-                    if (i % COSTS_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                    if (!graph_.addEdge(from, to, false))
                         return false;
-                    graph_.addEdge(from, next[i], false);
                 }
             }
             evaluator_.addWork(layer.size() * next.size() / 2);
@@ -74,7 +56,7 @@ namespace ompl_mfa
             next.clear();
             for (std::size_t i = 0; i < candidates.size(); ++i)
             {
-                if (canHelp(candidates[i]))
+                if (evaluator_.bounds().canBeat(start, candidates[i], goal, bound))
                     next.push_back(graph_.addVertex(candidates[i], false));
             }
             if (!join())

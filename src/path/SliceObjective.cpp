@@ -27,6 +27,8 @@ namespace ompl_mfa
         if (std::isfinite(bound_))
         {
             const ompl::base::Cost cost = evaluator_.cost(path_);
+            if (evaluator_.interrupted())
+                return {};
             if (!evaluator_.objective()->isCostBetterThan(cost, ompl::base::Cost(bound_)))
                 return {beyondBound_ + std::abs(cost.value() - bound_), cost.value()};
         }

@@ -2,10 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <typeinfo>
 #include <utility>
 
-#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
@@ -14,6 +12,8 @@
 #include <ompl/base/spaces/SO2StateSpace.h>
 #include <ompl/base/spaces/SO3StateSpace.h>
 
+#include "ompl_mfa/path/ExactType.h"
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa
@@ -21,12 +21,6 @@ namespace ompl_mfa
     namespace
     {
         constexpr unsigned int TRIES = 20;
-
-        template <typename... Types, typename Base>
-        bool isExactly(const Base &object)
-        {
-            return ((typeid(object) == typeid(Types)) || ...);
-        }
 
         /* Whether the distance of the space is never below the Euclidean distance of all its scaled positions together:
            true of OMPL's own spaces, unknown of a space that a user derived from them. */
@@ -49,27 +43,15 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    InformedSampler::InformedSampler(StateChartPtr chart, ob::OptimizationObjectivePtr objective,
-                                     std::uint_fast32_t seed)
+    InformedSampler::InformedSampler(StateChartPtr chart, const CostBounds &bounds, std::uint_fast32_t seed)
       : chart_(std::move(chart))
-      , objective_(std::move(objective))
+      , bounds_(bounds)
       , rng_(seed)
-      , direct_(chart_->positionDimension() > 1 && boundedByPositions(*chart_->space()) &&
-                isExactly<ob::PathLengthOptimizationObjective>(*objective_))
+      , direct_(chart_->positionDimension() > 1 && boundedByPositions(*chart_->space()) && bounds_.certain())
       , focus1_(chart_->positionDimension())
       , focus2_(chart_->positionDimension())
       , values_(chart_->positionDimension())
     {
-    }
-
-    bool InformedSampler::inInformedSet(const ob::State *start, const ob::State *state, const ob::State *goal,
-                                        double bound) const
-    {
-        if (std::isinf(bound))
-            return true;
-        return objective_->isCostBetterThan(objective_->combineCosts(objective_->motionCostHeuristic(start, state),
-                                                                     objective_->motionCostHeuristic(state, goal)),
-                                            ob::Cost(bound));
     }
 
     bool InformedSampler::samplePositions(const ob::State *start, const ob::State *goal, double bound, ob::State *state)
@@ -110,7 +92,7 @@ namespace ompl_mfa
                 chart_->sampleRotations(rng_, state);
             else
                 continue;
-            if (inInformedSet(start, state, goal, bound))
+            if (bounds_.canBeat(start, state, goal, bound))
                 return true;
         }
         return false;

@@ -18,10 +18,13 @@ namespace ompl_mfa
         /* Bounds of a turn, in units of PathEvaluator::work(). */
         constexpr std::uint64_t SHORTEST_TURN = 400;
         constexpr std::uint64_t LONGEST_TURN = 40000;
+        /* Random detours that have to keep to the objective's bounds before a path that meets them ends the search. */
+        constexpr unsigned int PROBES = 64;
     }  // namespace
 
     MFA::MFA(const ob::SpaceInformationPtr &si)
       : ob::Planner(si, "MFA")
+      , untaken_(si->getStateSpace())
     {
         specs_.recognizedGoal = ob::GOAL_REGION;
         specs_.approximateSolutions = true;
@@ -108,16 +111,18 @@ namespace ompl_mfa
         return report();
     }
 
-    bool MFA::finished(const ob::PlannerTerminationCondition &ptc) const
+    bool MFA::finished(const ob::PlannerTerminationCondition &ptc)
     {
         if (ptc())
             return true;
-        return incumbent_->hasPath() && (objective_->isSatisfied(ob::Cost(incumbent_->cost())) || provenOptimal());
+        if (!incumbent_->hasPath())
+            return false;
+        return objective_->isSatisfied(ob::Cost(incumbent_->cost())) || (provenOptimal() && boundsHold());
     }
 
     bool MFA::provenOptimal() const
     {
-        if (!query_->goalsComplete())
+        if (!query_->goalsComplete() || !evaluator_->bounds().admissible())
             return false;
         const ob::Cost best(incumbent_->cost());
         bool met = false;
@@ -140,11 +145,35 @@ namespace ompl_mfa
         return met;
     }
 
+    /* A proof is as good as the objective's heuristic. Where it is not known to be a bound, detours tell: an objective
+       may charge the straight motion more than a way around. */
+    bool MFA::boundsHold()
+    {
+        const CostBounds &bounds = evaluator_->bounds();
+        if (bounds.certain())
+            return true;
+        ompl::RNG rng(static_cast<std::uint_fast32_t>(runSeed_ + PROBES + probes_));
+        Waypoints detour(si_->getStateSpace());
+        detour.resize(3);
+        for (; probes_ < PROBES && bounds.admissible(); ++probes_)
+        {
+            si_->copyState(detour[0], query_->starts()[probes_ % query_->starts().size()]);
+            chart_->sampleUniform(rng, detour[1]);
+            si_->copyState(detour[2], query_->goals()[probes_ % query_->goals().size()]);
+            evaluator_->cost(detour);
+            if (evaluator_->interrupted())
+                return false;
+        }
+        return bounds.admissible();
+    }
+
     void MFA::iterate(const ob::PlannerTerminationCondition &ptc)
     {
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
         query_->poll(pis_, ptc);
         tryStraightMotions();
+        if (!untaken_.empty())
+            offerTightened(std::exchange(untaken_, Waypoints(si_->getStateSpace())));
         const std::vector<bool> available = availableParts();
         if (std::find(available.begin(), available.end(), true) == available.end() || finished(ptc))
             return;

@@ -75,6 +75,7 @@ namespace ompl_mfa
             newTightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 4);
         }
         reach_ = WIDEST_REACH;
+        probes_ = 0;
     }
 
     void MFA::forgetParts()
@@ -89,6 +90,7 @@ namespace ompl_mfa
         tightening_.reset();
         newTightening_.reset();
         tighteningStale_ = false;
+        untaken_.clear();
     }
 
     std::vector<bool> MFA::availableParts() const
@@ -262,7 +264,7 @@ namespace ompl_mfa
         tighteningStale_ = false;
         if (!tightening_->advance(work))
             return;
-        offer(tightening_->path(), evaluator_->cost(tightening_->path()).value());
+        offer(tightening_->path(), tightening_->cost().value());
         tighteningStale_ = false;
     }
 
@@ -276,8 +278,14 @@ namespace ompl_mfa
     /* A path from a guide or a splice is far from the best of its homotopy class: it is compared after tightening. */
     void MFA::offerTightened(const Waypoints &path)
     {
+        const double raw = evaluator_->cost(path).value();
+        if (evaluator_->interrupted())
+        {
+            untaken_ = path;
+            return;
+        }
         ++evaluations_;
-        offer(path, evaluator_->cost(path).value());
+        offer(path, raw);
         if (!useTightening_)
             return;
         std::uint64_t check = path.size();
@@ -291,13 +299,13 @@ namespace ompl_mfa
             const double hopeless = k == 5 ? HOPELESS_EARLY : ALTERNATIVE;
             if ((k == 5 || k == 12) &&
                 objective_->isCostBetterThan(ob::Cost(withSlack(*objective_, incumbent_->cost(), hopeless)),
-                                             evaluator_->cost(newTightening_->path())))
+                                             newTightening_->cost()))
                 return;
             if (evaluator_->stopped())
                 break;
         }
         const Waypoints &tightened = newTightening_->path();
-        const double cost = evaluator_->cost(tightened).value();
+        const double cost = newTightening_->cost().value();
         if (incumbent_->improvedBy(cost))
             return offer(tightened, cost);
         if (alternatives_.size() < MAX_ALTERNATIVES)

@@ -26,7 +26,7 @@ namespace ompl_mfa
                                std::uint_fast32_t seed)
       : chart_(std::move(chart))
       , evaluator_(evaluator)
-      , sampler_(chart_, evaluator.objective(), seed)
+      , sampler_(chart_, evaluator.bounds(), seed)
       , graph_(evaluator)
       , nearest_(ompl::tools::SelfConfig::getDefaultNearestNeighbors<std::size_t>(planner))
       , missing_(batch_)
@@ -49,15 +49,12 @@ namespace ompl_mfa
         const double factor = boost::math::constants::e<double>() * (1.0 + 1.0 / d);
         const auto k = static_cast<std::size_t>(std::ceil(factor * std::log(static_cast<double>(vertex + 2))));
         nearest_->nearestK(vertex, k, neighbours_);
-        const bool bothWays = chart_->space()->hasSymmetricDistance() && evaluator_.objective()->isSymmetric();
+        const bool bothWays = chart_->space()->hasSymmetricDistance() && chart_->space()->hasSymmetricInterpolate();
         for (const std::size_t neighbour : neighbours_)
         {
-            // the costs of motions may take as long as their checks
-            if (evaluator_.stopped())
+            if (!graph_.addEdge(neighbour, vertex, bothWays) ||
+                (!bothWays && !graph_.addEdge(vertex, neighbour, false)))
                 break;
-            graph_.addEdge(neighbour, vertex, bothWays);
-            if (!bothWays)
-                graph_.addEdge(vertex, neighbour, false);
         }
         nearest_->add(vertex);
         evaluator_.addWork(NEIGHBOUR_WORK * neighbours_.size());

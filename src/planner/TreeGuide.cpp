@@ -22,7 +22,7 @@ namespace ompl_mfa
                          std::uint_fast32_t seed)
       : chart_(std::move(chart))
       , evaluator_(evaluator)
-      , sampler_(chart_, evaluator.objective(), seed)
+      , sampler_(chart_, evaluator.bounds(), seed)
       , range_(RANGE * chart_->space()->getMaximumExtent())
       , sample_(chart_->space()->allocState())
       , step_(chart_->space()->allocState())

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -322,6 +323,124 @@ namespace ompl_mfa
             ASSERT_EQ(planner->solve(test::afterCalls(300000)), ob::PlannerStatus::EXACT_SOLUTION);
             // the straight motion earns 8; the identity cost, which OMPL gives as heuristic, is 0
             EXPECT_LT(planner->bestCost(), -20.0);
+        }
+
+        /* Costs of both signs whose sum over a path is known: a climb costs what the descent gives back, and a little
+           for the length. The ground is lowest between start and goal, and the goal is lower than the start. */
+        class Descent : public ob::OptimizationObjective
+        {
+        public:
+            explicit Descent(const ob::SpaceInformationPtr &si)
+              : OptimizationObjective(si)
+            {
+                setCostThreshold(ob::Cost(-1e9));
+            }
+
+            static double ground(const ob::State *state)
+            {
+                const double x = test::coordinate(state, 0);
+                return 3.0 * std::abs(x - 6.0) - 2.0 * x;
+            }
+
+            static double optimum(const ob::State *start, const ob::State *goal, double length)
+            {
+                return ground(goal) - ground(start) + 0.5 * length;
+            }
+
+            ob::Cost stateCost(const ob::State *) const override
+            {
+                return ob::Cost(0.0);
+            }
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                return ob::Cost(ground(to) - ground(from) + 0.5 * si_->distance(from, to));
+            }
+        };
+
+        /* The same with all signs changed, to be maximised. */
+        class Gain : public Descent
+        {
+        public:
+            explicit Gain(const ob::SpaceInformationPtr &si)
+              : Descent(si)
+            {
+                setCostThreshold(ob::Cost(1e9));
+            }
+
+            bool isCostBetterThan(ob::Cost a, ob::Cost b) const override
+            {
+                return a.value() > b.value();
+            }
+
+            ob::Cost infiniteCost() const override
+            {
+                return ob::Cost(-std::numeric_limits<double>::infinity());
+            }
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                return ob::Cost(-Descent::motionCost(from, to).value());
+            }
+        };
+
+        /* The roadmap prunes by lower bounds. One slice, which is all that the fireflies have here, allows no path
+           within five hundredths of the shortest. */
+        template <typename Objective>
+        double costByTheRoadmapAlone(const std::unique_ptr<test::PlanningProblem> &problem)
+        {
+            problem->pdef->clearSolutionPaths();
+            problem->pdef->setOptimizationObjective(std::make_shared<Objective>(problem->si));
+            const auto planner = problem->planner(test::Engine::Paper);
+            test::set(*planner, "guide", "roadmap");
+            test::set(*planner, "slices", "1");
+            EXPECT_EQ(planner->solve(test::afterCalls(300000)), ob::PlannerStatus::EXACT_SOLUTION);
+            return planner->bestCost();
+        }
+
+        TEST(Roadmap, FindsTheOptimumOfCostsOfBothSigns)
+        {
+            const auto problem = test::wallProblem();
+            const ob::State *start = problem->pdef->getStartState(0);
+            const ob::State *goal = problem->pdef->getGoal()->as<ob::GoalState>()->getState();
+            const double close = Descent::optimum(start, goal, 1.03 * test::wallOptimum());
+            ASSERT_LT(close, 0.0);
+            const double descent = costByTheRoadmapAlone<Descent>(problem);
+            EXPECT_LT(descent, close);
+            EXPECT_GT(descent, Descent::optimum(start, goal, test::wallOptimum()) - 0.1);
+            EXPECT_GT(costByTheRoadmapAlone<Gain>(problem), -close);
+        }
+
+        /* The way through the middle costs dearly. The heuristic, inherited, is the cost of the motion itself, and no
+           bound: a way around is better. */
+        class DearMiddle : public ob::PathLengthOptimizationObjective
+        {
+        public:
+            using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                constexpr int PIECES = 50;
+                ob::ScopedState<> state(si_->getStateSpace());
+                double weight = 0.0;
+                for (int i = 0; i < PIECES; ++i)
+                {
+                    si_->getStateSpace()->interpolate(from, to, (i + 0.5) / PIECES, state.get());
+                    weight += std::hypot(state[0] - 5.0, state[1] - 1.0) < 1.5 ? 10.0 : 1.0;
+                }
+                return ob::Cost(weight / PIECES * si_->distance(from, to));
+            }
+        };
+
+        TEST_P(Objectives, AnInheritedHeuristicThatIsNoBoundEndsNothing)
+        {
+            const auto problem = test::freeProblem();
+            problem->pdef->setOptimizationObjective(std::make_shared<DearMiddle>(problem->si));
+            const auto planner = problem->planner(GetParam());
+            ASSERT_EQ(planner->solve(test::afterCalls(100000)), ob::PlannerStatus::EXACT_SOLUTION);
+            // straight through the disc: 5 and 30 for its diameter; around it, two tangents and an arc
+            const double around = 2.0 * std::sqrt(16.0 - 2.25) + 2.0 * 1.5 * std::asin(1.5 / 4.0);
+            EXPECT_LT(planner->bestCost(), 1.1 * around);
         }
 
         TEST_P(Objectives, WithoutOneThePathLengthIsTaken)

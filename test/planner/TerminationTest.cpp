@@ -1,6 +1,7 @@
 /* Termination conditions: any, evaluated often, and obeyed at once. Latency is counted in state checks, not in time,
    so that a slow machine changes nothing. */
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ompl/base/objectives/StateCostIntegralObjective.h>
 #include <ompl/base/terminationconditions/CostConvergenceTerminationCondition.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 
@@ -113,6 +115,81 @@ namespace ompl_mfa
             const ob::PlannerStatus status = planner->solve(ptc);
             EXPECT_NE(status, ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_LE(problem_->counted.states - statesThen, longestMotion());
+        }
+
+        /* An integral that counts how often it is computed. */
+        class CountedIntegral : public ob::StateCostIntegralObjective
+        {
+        public:
+            explicit CountedIntegral(const ob::SpaceInformationPtr &si)
+              : StateCostIntegralObjective(si, true)
+            {
+            }
+
+            ob::Cost stateCost(const ob::State *state) const override
+            {
+                return ob::Cost(1.0 + test::coordinate(state, 1));
+            }
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                ++computed;
+                return StateCostIntegralObjective::motionCost(from, to);
+            }
+
+            mutable std::uint64_t computed{0};
+        };
+
+        TEST_P(Termination, AfterTheConditionTurnsTrueNoMotionIsCheckedAndCostedMoreThanOnce)
+        {
+            const auto objective = std::make_shared<CountedIntegral>(problem_->si);
+            problem_->pdef->setOptimizationObjective(objective);
+            unsigned int turned = 0;
+            for (std::uint64_t calls = 1; calls <= 20000; calls += 1 + calls / 20)
+            {
+                problem_->pdef->clearSolutionPaths();
+                const auto planner = problem_->planner(GetParam(), static_cast<std::uint32_t>(calls));
+                std::uint64_t asked = 0;
+                std::uint64_t statesThen = 0;
+                std::uint64_t costsThen = 0;
+                const ob::PlannerTerminationCondition ptc(
+                    [&]
+                    {
+                        // the one before may be followed by a motion check or a motion cost
+                        if (++asked == calls)
+                        {
+                            statesThen = problem_->counted.states;
+                            costsThen = objective->computed;
+                        }
+                        return asked >= calls;
+                    });
+                planner->solve(ptc);
+                ASSERT_GE(asked, calls);
+                ++turned;
+                EXPECT_LE(objective->computed - costsThen, 0U) << "after " << calls << " calls";
+                EXPECT_LE(problem_->counted.states - statesThen, longestMotion()) << "after " << calls << " calls";
+            }
+            EXPECT_GT(turned, 100U);
+        }
+
+        TEST_P(Termination, NoTwoCostsOfMotionsAreComputedBetweenTwoLooksAtTheCondition)
+        {
+            const auto objective = std::make_shared<CountedIntegral>(problem_->si);
+            problem_->pdef->setOptimizationObjective(objective);
+            const auto planner = problem_->planner(GetParam());
+            std::uint64_t asked = 0;
+            std::uint64_t before = 0;
+            std::uint64_t most = 0;
+            const ob::PlannerTerminationCondition ptc(
+                [&]
+                {
+                    most = std::max(most, objective->computed - before);
+                    before = objective->computed;
+                    return ++asked > 200000;
+                });
+            planner->solve(ptc);
+            EXPECT_GT(objective->computed, 10000U);
+            EXPECT_EQ(most, 1U);
         }
 
         TEST_P(Termination, AConditionMayTurnTrueInAnotherThread)

@@ -30,8 +30,8 @@ namespace ompl_mfa
         void setGoal(std::size_t vertex);
 
         /** \brief Adds the motion \e from -> \e to, not yet checked. With \e bothWays also the reverse, which is taken
-           to have the same cost and validity. */
-        void addEdge(std::size_t from, std::size_t to, bool bothWays);
+           to have the same validity. False, without adding it, if the evaluator is interrupted. */
+        bool addEdge(std::size_t from, std::size_t to, bool bothWays);
 
         std::size_t size() const
         {
@@ -77,7 +77,8 @@ namespace ompl_mfa
             std::vector<std::size_t> in;
             double costToCome;
             double costToGo;
-            std::size_t parent;  ///< edge
+            std::size_t parent;       ///< edge
+            unsigned int expansions;  ///< how often costToGo was handed on
             bool reached;
             bool reaches;  ///< whether costToGo is known
             bool goal;
@@ -103,7 +104,10 @@ namespace ompl_mfa
         bool canBeat(double cost, double bound) const;
         void push(std::vector<QueueEntry> &queue, QueueEntry entry) const;
         QueueEntry pop(std::vector<QueueEntry> &queue) const;
-        void backward(double bound);
+        bool backward(double bound);
+        bool backwardInOrder();
+        bool backwardBestFirst(bool monotone, double bound);
+        bool relax(const Edge &edge);
         Outcome forward(double bound, std::uint64_t limit, std::size_t &goal);
         bool checkEdge(const Edge &edge);
         void expand(std::size_t vertex, double bound);
@@ -117,6 +121,7 @@ namespace ompl_mfa
         std::vector<std::size_t> starts_;
         std::vector<std::size_t> goals_;
         std::vector<QueueEntry> queue_;
+        bool acyclic_{true};  ///< whether every edge leads from an earlier vertex to a later one
         bool exhausted_{false};
     };
 }  // namespace ompl_mfa

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/SpaceInformation.h>
 
 #include "ompl_mfa/optimizer/ObjectiveFunction.h"
+#include "ompl_mfa/path/CostBounds.h"
 #include "ompl_mfa/path/Waypoints.h"
 
 namespace ompl_mfa
@@ -39,8 +41,15 @@ namespace ompl_mfa
             return objective_;
         }
 
-        /** \brief Asked before every motion check. Once it is true, motions count as invalid without being checked,
-            and interrupted() tells so. */
+        /** \brief What is known of lower bounds; learns from every cost that is computed here. */
+        const CostBounds &bounds() const
+        {
+            return bounds_;
+        }
+
+        /** \brief Asked before every motion check, and before the cost of every motion, or of a few dozen where that is
+           a mere distance: an integral along a motion takes as long as its check. Once it is true, motions count as
+           invalid without being checked, costs are infinite without being computed, and interrupted() tells so. */
         void setStopCondition(StopCondition stop);
 
         /** \brief Whether the stop condition cut an answer short since it was set. */
@@ -52,8 +61,21 @@ namespace ompl_mfa
         /** \brief Asks the stop condition, for searches that may go on long without checking a motion. */
         bool stopped();
 
-        /** \brief The cost of \e path (at least one state), as ompl::geometric::PathGeometric::cost has it. */
+        /** \brief Computes the \e cost of one motion; false, with infinite cost, if interrupted. */
+        bool motionCost(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost &cost);
+
+        /** \brief The cost of \e path (at least one state), as ompl::geometric::PathGeometric::cost has it. Infinite if
+            interrupted. */
         ompl::base::Cost cost(const Waypoints &path);
+
+        /** \brief The cost of \e path whose motions cost \e motionCosts. */
+        ompl::base::Cost cost(const Waypoints &path, const std::vector<ompl::base::Cost> &motionCosts);
+
+        /** \brief Learns for bounds() from the combined cost of motions that lead \e from -> \e to. */
+        void observePath(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost cost)
+        {
+            bounds_.observePath(from, to, cost);
+        }
 
         /** \brief Whether \e state is within the bounds and valid. */
         bool checkState(const ompl::base::State *state);
@@ -99,10 +121,13 @@ namespace ompl_mfa
 
         ompl::base::SpaceInformationPtr si_;
         ompl::base::OptimizationObjectivePtr objective_;
+        CostBounds bounds_;
+        std::vector<ompl::base::Cost> motionCosts_;
         StopCondition stop_;
         PartialPathEvent partialPath_;
         ompl::base::State *scratch_;
         std::uint64_t work_{0};
+        std::uint64_t distances_{0};
         std::size_t lastInvalid_{0};
         bool interrupted_{false};
     };

@@ -43,6 +43,9 @@ namespace ompl_mfa
             return path_;
         }
 
+        /** \brief The cost of path(); infinite while advance() has not come to compute it. Costs no motion anew. */
+        ompl::base::Cost cost() const;
+
         /** \brief Whether the last rounds gained next to nothing. More of them still may, but rarely. */
         bool converged() const
         {
@@ -77,17 +80,21 @@ namespace ompl_mfa
         bool perturb(std::size_t i);
         bool refineWorstCorner();
         bool cutCorner(std::size_t i);
+        bool completeCosts();
+        ompl::base::Cost cornerCost(std::size_t i) const;
+        bool improves(std::size_t i, const ompl::base::State *state, ompl::base::Cost &before, ompl::base::Cost &after);
+        bool moveVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before, ompl::base::Cost after);
         bool replaceVertex(std::size_t i, const ompl::base::State *state);
-        ompl::base::Cost localCost(const ompl::base::State *a, const ompl::base::State *b,
-                                   const ompl::base::State *c) const;
         double smallestStep() const;
-        void insertVertex(std::size_t i, const ompl::base::State *state);
-        void eraseVertices(std::size_t first, std::size_t last);
+        void insertVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before,
+                          ompl::base::Cost after);
+        void eraseVertices(std::size_t first, std::size_t last, ompl::base::Cost joined);
 
         StateChartPtr chart_;
         PathEvaluator &evaluator_;
         ompl::RNG rng_;
         Waypoints path_;
+        std::vector<ompl::base::Cost> costs_;  ///< of the motions of path_, as many as were computed yet
         std::vector<Step> steps_;
         ompl::base::State *a_;
         ompl::base::State *b_;

@@ -7,14 +7,14 @@
 #include <ompl/util/ProlateHyperspheroid.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "ompl_mfa/path/PathEvaluator.h"
+#include "ompl_mfa/path/CostBounds.h"
 #include "ompl_mfa/path/StateChart.h"
 #include "ompl_mfa/path/Waypoints.h"
 
 namespace ompl_mfa
 {
-    /** \brief Draws states through which a path better than a given cost can lead, as far as the objective's own
-        heuristic tells (the informed set).
+    /** \brief Draws states through which a path better than a given cost can lead, as far as the bounds tell (the
+        informed set).
 
         Where the objective is path length over the standard metrics, positions are drawn directly from the prolate
         hyperspheroid of one pair of start and goal; elsewhere uniform states are rejected by the heuristic. Random
@@ -22,16 +22,13 @@ namespace ompl_mfa
     class InformedSampler
     {
     public:
-        InformedSampler(StateChartPtr chart, ompl::base::OptimizationObjectivePtr objective, std::uint_fast32_t seed);
+        /** \brief \e bounds outlives the object. */
+        InformedSampler(StateChartPtr chart, const CostBounds &bounds, std::uint_fast32_t seed);
 
         /** \brief Draws \e state for the pair \e start, \e goal such that the heuristic cost through it is better than
             \e bound (infinite: any state). False if no such state was found in a few tries. */
         bool sample(const ompl::base::State *start, const ompl::base::State *goal, double bound,
                     ompl::base::State *state);
-
-        /** \brief Whether a path from \e start through \e state to \e goal can be better than \e bound. */
-        bool inInformedSet(const ompl::base::State *start, const ompl::base::State *state,
-                           const ompl::base::State *goal, double bound) const;
 
         ompl::RNG &rng()
         {
@@ -43,7 +40,7 @@ namespace ompl_mfa
                              ompl::base::State *state);
 
         StateChartPtr chart_;
-        ompl::base::OptimizationObjectivePtr objective_;
+        const CostBounds &bounds_;
         ompl::RNG rng_;
         bool direct_;
         Eigen::VectorXd focus1_;

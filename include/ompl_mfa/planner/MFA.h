@@ -118,8 +118,9 @@ namespace ompl_mfa
         void prepareQuery();
         void prepareParts();
         void forgetParts();
-        bool finished(const ompl::base::PlannerTerminationCondition &ptc) const;
+        bool finished(const ompl::base::PlannerTerminationCondition &ptc);
         bool provenOptimal() const;
+        bool boundsHold();
         void iterate(const ompl::base::PlannerTerminationCondition &ptc);
         std::vector<bool> availableParts() const;
         void takeTurn(Part part, std::uint64_t work);
@@ -161,6 +162,8 @@ namespace ompl_mfa
         TurnSharing sharing_;
         std::vector<double> partWork_;
 
+        Waypoints untaken_;           ///< a path of which the stop condition left the cost unknown
+        unsigned int probes_{0};      ///< detours held against the objective's bounds
         std::size_t triedStarts_{0};  ///< starts whose straight motions to all goals were tried
         std::size_t triedGoals_{0};   ///< goals whose straight motions from all starts were tried
         bool published_{false};       ///< whether this solve() has handed the best path to the problem definition

@@ -1,0 +1,94 @@
+#include "ompl_mfa/path/CostBounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/base/spaces/SO2StateSpace.h>
+#include <ompl/base/spaces/SO3StateSpace.h>
+#include <ompl/util/Console.h>
+
+#include "ompl_mfa/path/ExactType.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* A bound is beaten by more than this part of the cost, or by rounding only. */
+        constexpr double ROUNDING = 1e-9;
+
+        /* Whether no detour is shorter than the distance. A Dubins car whose motions may be taken either way is faster
+           with a turn in reverse, which a single motion of it does not have. */
+        bool obeysTriangleInequality(const ob::StateSpace &space)
+        {
+            if (isExactly<ob::RealVectorStateSpace, ob::SO2StateSpace, ob::SO3StateSpace, ob::ReedsSheppStateSpace>(
+                    space))
+                return true;
+            if (isExactly<ob::DubinsStateSpace>(space))
+                return !space.hasSymmetricDistance();
+            if (!isExactly<ob::CompoundStateSpace, ob::SE2StateSpace, ob::SE3StateSpace>(space))
+                return false;
+            const auto &compound = *space.as<ob::CompoundStateSpace>();
+            for (unsigned int i = 0; i < compound.getSubspaceCount(); ++i)
+            {
+                if (compound.getSubspaceWeight(i) < 0.0 || !obeysTriangleInequality(*compound.getSubspace(i)))
+                    return false;
+            }
+            return true;
+        }
+    }  // namespace
+
+    CostBounds::CostBounds(const ob::SpaceInformationPtr &si, ob::OptimizationObjectivePtr objective)
+      : objective_(std::move(objective))
+      , certain_(isExactly<ob::PathLengthOptimizationObjective>(*objective_) &&
+                 obeysTriangleInequality(*si->getStateSpace()))
+    {
+    }
+
+    bool CostBounds::beats(ob::Cost cost, ob::Cost bound) const
+    {
+        if (!objective_->isCostBetterThan(cost, bound))
+            return false;
+        if (!std::isfinite(cost.value()) || !std::isfinite(bound.value()))
+            return true;
+        return std::abs(cost.value() - bound.value()) >
+               ROUNDING * std::max(std::abs(cost.value()), std::abs(bound.value()));
+    }
+
+    void CostBounds::observeMotion(const ob::State *from, const ob::State *to, ob::Cost cost)
+    {
+        if (certain_)
+            return;
+        if (monotone_ && beats(cost, objective_->identityCost()))
+            monotone_ = false;
+        observePath(from, to, cost);
+    }
+
+    void CostBounds::observePath(const ob::State *from, const ob::State *to, ob::Cost cost)
+    {
+        if (certain_ || !admissible_ || !beats(cost, objective_->motionCostHeuristic(from, to)))
+            return;
+        admissible_ = false;
+        OMPL_INFORM(
+            "MFA: a path of cost %g is better than the objective's motionCostHeuristic allows: lower bounds are "
+            "not used for this query",
+            cost.value());
+    }
+
+    bool CostBounds::canBeat(const ob::State *start, const ob::State *state, const ob::State *goal, double bound) const
+    {
+        if (std::isinf(bound) || !admissible_)
+            return true;
+        return objective_->isCostBetterThan(objective_->combineCosts(objective_->motionCostHeuristic(start, state),
+                                                                     objective_->motionCostHeuristic(state, goal)),
+                                            ob::Cost(bound));
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,163 @@
+#include "ompl_mfa/path/CostBounds.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr double NONE = std::numeric_limits<double>::infinity();
+
+        /* Inherits a heuristic that is its own motionCost. */
+        class Derived : public ob::PathLengthOptimizationObjective
+        {
+        public:
+            using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
+        };
+
+        /* Has OMPL's default heuristic, identityCost. */
+        class Own : public ob::OptimizationObjective
+        {
+        public:
+            using OptimizationObjective::OptimizationObjective;
+
+            ob::Cost stateCost(const ob::State *) const override
+            {
+                return identityCost();
+            }
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                return ob::Cost(si_->distance(from, to));
+            }
+        };
+
+        ob::SpaceInformationPtr information(const ob::StateSpacePtr &space)
+        {
+            return std::make_shared<ob::SpaceInformation>(space);
+        }
+
+        bool certainOfLength(const ob::StateSpacePtr &space)
+        {
+            const auto si = information(space);
+            return CostBounds(si, std::make_shared<ob::PathLengthOptimizationObjective>(si)).certain();
+        }
+
+        class CostBoundsTest : public ::testing::Test
+        {
+        protected:
+            CostBoundsTest()
+            {
+                // start, a state between, and goal on a line
+                for (unsigned int i = 0; i < 3; ++i)
+                    (*states_[i])[0] = (*states_[i])[1] = static_cast<double>(i);
+            }
+
+            const ob::State *state(unsigned int i) const
+            {
+                return states_[i]->get();
+            }
+
+            bool beatable(const CostBounds &bounds, double bound) const
+            {
+                return bounds.canBeat(state(0), state(1), state(2), bound);
+            }
+
+            ob::StateSpacePtr space_ = test::realVectorSpace(2);
+            ob::SpaceInformationPtr si_ = information(space_);
+            std::vector<std::shared_ptr<ob::ScopedState<>>> states_{std::make_shared<ob::ScopedState<>>(space_),
+                                                                    std::make_shared<ob::ScopedState<>>(space_),
+                                                                    std::make_shared<ob::ScopedState<>>(space_)};
+        };
+
+        TEST_F(CostBoundsTest, OfPathLengthAreCertainWhereTheDistanceObeysTheTriangleInequality)
+        {
+            for (const auto &named : test::supportedSpaces())
+                EXPECT_EQ(certainOfLength(named.make()), named.name != "DubinsSymmetric") << named.name;
+        }
+
+        /* Why the last test excepts them: a Dubins car that may be moved either way does better with a cusp. */
+        TEST_F(CostBoundsTest, SymmetricDubinsCurvesAreLongerThanSomeDetour)
+        {
+            const auto space = test::dubinsSpace(true);
+            const auto sampler = space->allocDefaultStateSampler();
+            ob::ScopedState<> from(space);
+            ob::ScopedState<> via(space);
+            ob::ScopedState<> to(space);
+            bool shorter = false;
+            for (int i = 0; i < 10000 && !shorter; ++i)
+            {
+                for (auto *state : {&from, &via, &to})
+                    sampler->sampleUniform(state->get());
+                shorter = space->distance(from.get(), via.get()) + space->distance(via.get(), to.get()) <
+                          space->distance(from.get(), to.get()) - 1e-6;
+            }
+            EXPECT_TRUE(shorter);
+        }
+
+        TEST_F(CostBoundsTest, OfAUsersOwnObjectiveAreNotCertain)
+        {
+            EXPECT_FALSE(CostBounds(si_, std::make_shared<Derived>(si_)).certain());
+            EXPECT_FALSE(CostBounds(si_, std::make_shared<Own>(si_)).certain());
+        }
+
+        TEST_F(CostBoundsTest, AreThoseOfTheHeuristicWhileNothingContradicts)
+        {
+            CostBounds bounds(si_, std::make_shared<Derived>(si_));
+            bounds.observeMotion(state(0), state(1), ob::Cost(std::sqrt(2.0)));
+            EXPECT_TRUE(bounds.admissible());
+            EXPECT_TRUE(bounds.monotone());
+            EXPECT_FALSE(beatable(bounds, 2.8));
+            EXPECT_TRUE(beatable(bounds, 2.9));
+            EXPECT_TRUE(beatable(bounds, NONE));
+        }
+
+        TEST_F(CostBoundsTest, ADetourThatIsBetterThanTheHeuristicContradicts)
+        {
+            CostBounds bounds(si_, std::make_shared<Derived>(si_));
+            bounds.observePath(state(0), state(2), ob::Cost(2.0));
+            EXPECT_FALSE(bounds.admissible());
+            EXPECT_TRUE(bounds.monotone());
+            EXPECT_TRUE(beatable(bounds, 0.1));
+        }
+
+        TEST_F(CostBoundsTest, AMotionThatEarnsSomethingContradicts)
+        {
+            CostBounds bounds(si_, std::make_shared<Own>(si_));
+            EXPECT_FALSE(beatable(bounds, -1.0));
+            bounds.observeMotion(state(0), state(1), ob::Cost(-0.5));
+            EXPECT_FALSE(bounds.admissible());
+            EXPECT_FALSE(bounds.monotone());
+            EXPECT_TRUE(beatable(bounds, -1.0));
+        }
+
+        TEST_F(CostBoundsTest, RoundingDoesNotContradict)
+        {
+            CostBounds bounds(si_, std::make_shared<Derived>(si_));
+            bounds.observePath(state(0), state(2), ob::Cost(std::sqrt(8.0) * (1.0 - 1e-14)));
+            EXPECT_TRUE(bounds.admissible());
+        }
+
+        TEST_F(CostBoundsTest, AreTheObjectivesOwnWhereMoreIsBetter)
+        {
+            si_->setStateValidityChecker([](const ob::State *) { return true; });
+            CostBounds bounds(si_, std::make_shared<ob::MaximizeMinClearanceObjective>(si_));
+            bounds.observeMotion(state(0), state(1), ob::Cost(3.0));
+            EXPECT_TRUE(bounds.admissible());
+            EXPECT_TRUE(bounds.monotone());
+            EXPECT_TRUE(beatable(bounds, 1e6));
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,168 @@
+#include "ompl_mfa/path/LazyGraph.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "path/CountingProblem.h"
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr double ANY = std::numeric_limits<double>::infinity();
+        constexpr std::uint64_t PLENTY = 1000000;
+
+        double value(const ob::State *state)
+        {
+            return state->as<ob::RealVectorStateSpace::StateType>()->values[0];
+        }
+
+        /* The cost of a motion is any function of its ends. */
+        class AnyCost : public ob::OptimizationObjective
+        {
+        public:
+            using Function = std::function<double(double from, double to)>;
+
+            AnyCost(const ob::SpaceInformationPtr &si, Function cost)
+              : OptimizationObjective(si)
+              , cost_(std::move(cost))
+            {
+            }
+
+            ob::Cost stateCost(const ob::State *) const override
+            {
+                return identityCost();
+            }
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                return ob::Cost(cost_(value(from), value(to)));
+            }
+
+        private:
+            Function cost_;
+        };
+
+        class LazyGraphTest : public ::testing::Test
+        {
+        protected:
+            void make(const AnyCost::Function &cost)
+            {
+                evaluator_ = std::make_unique<PathEvaluator>(problem_.si, std::make_shared<AnyCost>(problem_.si, cost));
+                graph_ = std::make_unique<LazyGraph>(*evaluator_);
+            }
+
+            std::size_t add(double value)
+            {
+                ob::ScopedState<> state(problem_.si->getStateSpace());
+                state[0] = value;
+                return graph_->addVertex(state.get(), false);
+            }
+
+            test::CountingProblem problem_{test::realVectorSpace(1, 0.0, 1000.0),
+                                           [](const ob::State *) { return true; }};
+            std::unique_ptr<PathEvaluator> evaluator_;
+            std::unique_ptr<LazyGraph> graph_;
+            Waypoints path_{problem_.si->getStateSpace()};
+        };
+
+        /* Layers of four vertices, each joined to all of the next; the value of a vertex is ten times its layer and its
+           place within. Costs have both signs, so that the best way may begin or end badly. */
+        TEST_F(LazyGraphTest, FindsTheBestPathThroughLayersWhereMotionsMayEarnSomething)
+        {
+            constexpr std::size_t LAYERS = 5;
+            constexpr std::size_t WIDTH = 4;
+            for (unsigned int seed = 1; seed <= 50; ++seed)
+            {
+                ompl::RNG rng(seed);
+                std::array<std::array<double, WIDTH>, 10 * LAYERS> table{};
+                for (auto &row : table)
+                    std::generate(row.begin(), row.end(), [&rng] { return rng.uniformReal(-10.0, 8.0); });
+                const auto cost = [&table](double from, double to)
+                { return table[static_cast<std::size_t>(from)][static_cast<std::size_t>(to) % 10]; };
+                make(cost);
+                std::vector<std::vector<std::size_t>> layers{{add(0.0)}};
+                graph_->setStart(0);
+                for (std::size_t k = 1; k <= LAYERS; ++k)
+                {
+                    layers.emplace_back();
+                    for (std::size_t i = 0; i < (k < LAYERS ? WIDTH : 1); ++i)
+                        layers.back().push_back(add(static_cast<double>(10 * k + i)));
+                    for (const std::size_t from : layers[k - 1])
+                    {
+                        for (const std::size_t to : layers[k])
+                            ASSERT_TRUE(graph_->addEdge(from, to, false));
+                    }
+                }
+                graph_->setGoal(layers.back().front());
+                // what is best, layer by layer from the goal
+                std::vector<double> toGo{0.0};
+                for (std::size_t k = LAYERS; k-- > 0;)
+                {
+                    std::vector<double> before;
+                    for (const std::size_t from : layers[k])
+                    {
+                        double best = ANY;
+                        for (std::size_t i = 0; i < layers[k + 1].size(); ++i)
+                            best = std::min(
+                                best,
+                                cost(value(graph_->state(from)), value(graph_->state(layers[k + 1][i]))) + toGo[i]);
+                        before.push_back(best);
+                    }
+                    toGo = before;
+                }
+                for (const double bound : {ANY, toGo[0] + 1e-6})
+                {
+                    ASSERT_TRUE(graph_->search(bound, PLENTY, path_)) << "seed " << seed;
+                    EXPECT_NEAR(evaluator_->cost(path_).value(), toGo[0], 1e-9) << "seed " << seed;
+                }
+                EXPECT_FALSE(graph_->search(toGo[0] - 1e-6, PLENTY, path_));
+            }
+        }
+
+        TEST_F(LazyGraphTest, EndsWhereEveryTurnOfACycleWouldEarnMore)
+        {
+            make([](double, double) { return -1.0; });
+            std::vector<std::size_t> vertices;
+            for (int i = 0; i < 10; ++i)
+                vertices.push_back(add(i));
+            for (const std::size_t from : vertices)
+            {
+                for (std::size_t to = from + 1; to < vertices.size(); ++to)
+                    graph_->addEdge(from, to, true);
+            }
+            graph_->setStart(vertices.front());
+            graph_->setGoal(vertices.back());
+            ASSERT_TRUE(graph_->search(ANY, PLENTY, path_));
+            EXPECT_EQ(value(path_.front()), 0.0);
+            EXPECT_EQ(value(path_.back()), 9.0);
+            graph_->search(-1e6, PLENTY, path_);
+        }
+
+        TEST_F(LazyGraphTest, AddsNoEdgeOnceTheSearchIsToStop)
+        {
+            int costs = 0;
+            make(
+                [&costs](double, double)
+                {
+                    ++costs;
+                    return 1.0;
+                });
+            const std::size_t from = add(1.0);
+            const std::size_t to = add(2.0);
+            EXPECT_TRUE(graph_->addEdge(from, to, false));
+            evaluator_->setStopCondition([] { return true; });
+            EXPECT_FALSE(graph_->addEdge(from, to, false));
+            EXPECT_EQ(costs, 1);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
