@@ -1,6 +1,7 @@
 #include "ompl_mfa/path/PathEvaluator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ob = ompl::base;
@@ -113,6 +114,13 @@ namespace ompl_mfa
         if (a.violation != b.violation)
             return a.violation < b.violation;
         return objective_->isCostBetterThan(ob::Cost(a.cost), ob::Cost(b.cost));
+    }
+
+    double PathEvaluator::withSlack(double cost, double factor) const
+    {
+        if (!std::isfinite(cost) || cost <= 0.0)
+            return cost;
+        return objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(factor * cost)) ? factor * cost : cost;
     }
 
     Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -20,6 +21,14 @@ namespace ompl_mfa
         constexpr std::uint64_t LONGEST_TURN = 40000;
         /* Random detours that have to keep to the objective's bounds before a path that meets them ends the search. */
         constexpr unsigned int PROBES = 64;
+
+        /* Processor time of this thread, s: what other programs do must not distort the shares. */
+        double threadTime()
+        {
+            timespec time{};
+            clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+            return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+        }
     }  // namespace
 
     MFA::MFA(const ob::SpaceInformationPtr &si)
@@ -179,6 +188,7 @@ namespace ompl_mfa
             return;
         const std::size_t part = sharing_.next(available);
         const std::uint64_t before = evaluator_->work();
+        const double began = threadTime();
         const bool hadPath = incumbent_->hasPath();
         const double cost = incumbent_->cost();
         // turns grow with the work done, so that no part spends its time beginning
@@ -186,20 +196,22 @@ namespace ompl_mfa
         double gain = 0.0;
         if (hadPath)
             gain = std::abs(cost - incumbent_->cost()) / std::max(std::abs(cost), 1e-12);
-        const auto work = static_cast<double>(evaluator_->work() - before + 1);
-        partWork_[part] += work;
-        sharing_.record(part, work, std::min(gain, 1.0));
+        // a seeded run must not depend on a clock; without one, the work that is not state checks is only estimated
+        const double spent = seed_ != 0 ? static_cast<double>(evaluator_->work() - before + 1) : threadTime() - began;
+        spent_[part] += spent;
+        if (!hadPath && incumbent_->hasPath())
+            shareForImprovement();
+        else
+            sharing_.record(part, spent, std::min(gain, 1.0));
     }
 
     void MFA::offer(const Waypoints &path, double cost)
     {
+        const bool first = !incumbent_->hasPath();
         if (!incumbent_->offer(path, cost))
             return;
-        if (!published_)
-        {
+        if (first)
             evaluator_->setPartialPathEvent({});
-            sharing_.endDelays();
-        }
         tighteningStale_ = true;
         publish();
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "ompl_mfa/planner/MFA.h"
@@ -18,8 +19,6 @@ namespace ompl_mfa
         constexpr std::size_t MAX_ALTERNATIVES = 3;
         /* A path is an alternative if its tightened cost is at most this many times the best. */
         constexpr double ALTERNATIVE = 1.1;
-        /* One that costs more than this many times the best when its tightening has just begun is given up. */
-        constexpr double HOPELESS_EARLY = 1.35;
         /* A splice may be this much worse than the best path and still be worth tightening. */
         constexpr double SPLICE_SLACK = 1.1;
         /* The same for a firefly. */
@@ -31,11 +30,14 @@ namespace ompl_mfa
         constexpr double NARROWEST_REACH = 0.005;
         /* The curved frame is laid anew once the best path is this much better. */
         constexpr double NEW_FRAME_GAIN = 0.02;
-        /* Work given to the tightening of a new path, in parts of the work of checking it once. */
-        constexpr std::uint64_t TIGHTENING_FACTOR = 24;
-
-        /* Work of the trees, divided by their share, before any other part begins. */
-        constexpr double FIRST_TREES = 50000.0;
+        /* Rounds of tightening that a new path gets at the most, and the work of each, in parts of the work of checking
+           the path once. */
+        constexpr unsigned int TIGHTENING_ROUNDS = 8;
+        constexpr std::uint64_t TIGHTENING_FACTOR = 3;
+        /* A new path is given up once so many more rounds like the last would not make it the best. */
+        constexpr double PATIENCE = 4.0;
+        /* Work of the guides before fireflies and recombination begin, where there is no path yet. */
+        constexpr std::uint64_t FIRST_GUIDES = 50000;
 
         double length(const Waypoints &path)
         {
@@ -44,27 +46,12 @@ namespace ompl_mfa
                 sum += path.space()->distance(path[i - 1], path[i]);
             return sum;
         }
-
-        /* The cost that a factor of slack allows, for objectives where a factor makes a positive cost worse. */
-        double withSlack(const ob::OptimizationObjective &objective, double cost, double factor)
-        {
-            if (!std::isfinite(cost) || cost <= 0.0)
-                return cost;
-            return objective.isCostBetterThan(ob::Cost(cost), ob::Cost(factor * cost)) ? factor * cost : cost;
-        }
     }  // namespace
 
     void MFA::prepareParts()
     {
-        sharing_ = TurnSharing();
-        partWork_.assign(PARTS, 0.0);
-        // before there is a path, most of the work goes to the guide that finds one soonest
-        const double delay = useTrees_ ? FIRST_TREES : 0.0;
-        sharing_.add(0.06, 0.08, delay);  // FIREFLIES
-        sharing_.add(0.03, 0.06, delay);  // RECOMBINATION
-        sharing_.add(0.30, 0.12, 0.0);    // TIGHTENING
-        sharing_.add(0.85, 0.08, 0.0);    // TREES
-        sharing_.add(0.20, 0.32, delay);  // ROADMAP
+        spent_.assign(PARTS, 0.0);
+        shareForFirstPath();
         if (useTrees_)
             trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
         if (useRoadmap_)
@@ -76,6 +63,29 @@ namespace ompl_mfa
         }
         reach_ = WIDEST_REACH;
         probes_ = 0;
+    }
+
+    /* Before there is a path, nearly all goes to the guides that find one soonest. */
+    void MFA::shareForFirstPath()
+    {
+        sharing_ = TurnSharing();
+        sharing_.add(0.05, 0.05, 0.0);  // FIREFLIES
+        sharing_.add(0.03, 0.03, 0.0);  // RECOMBINATION
+        sharing_.add(0.01, 0.01, 0.0);  // TIGHTENING
+        sharing_.add(0.61, 0.61, 0.0);  // TREES
+        sharing_.add(0.30, 0.30, 0.0);  // ROADMAP
+    }
+
+    void MFA::shareForImprovement()
+    {
+        // parts whose first turn is long for their share begin the later, the longer the first path took
+        const double soFar = std::accumulate(spent_.begin(), spent_.end(), 0.0);
+        sharing_ = TurnSharing();
+        sharing_.add(0.06, 0.08, soFar / 0.06);  // FIREFLIES
+        sharing_.add(0.03, 0.06, soFar / 0.03);  // RECOMBINATION
+        sharing_.add(0.30, 0.12, 0.0);           // TIGHTENING
+        sharing_.add(0.15, 0.08, soFar / 0.15);  // TREES
+        sharing_.add(0.20, 0.32, 0.0);           // ROADMAP
     }
 
     void MFA::forgetParts()
@@ -96,12 +106,13 @@ namespace ompl_mfa
     std::vector<bool> MFA::availableParts() const
     {
         std::vector<bool> available(PARTS, false);
-        const bool swarms = !swarms_.empty() || curvedSwarm_;
-        available[FIREFLIES] = swarms;
-        available[RECOMBINATION] = useRecombination_ && activeSwarm_ != nullptr && activeSwarm_->frame().slices() > 0 &&
-                                   activeSwarm_->fireflies().evaluations() > 0;
-        available[TIGHTENING] = tightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
         const bool ends = !query_->starts().empty() && !query_->goals().empty();
+        const bool guided = ends && (trees_ || roadmap_);
+        const bool waiting = guided && !incumbent_->hasPath() && evaluator_->work() < FIRST_GUIDES;
+        available[FIREFLIES] = !waiting && (!swarms_.empty() || curvedSwarm_);
+        available[RECOMBINATION] = !waiting && useRecombination_ && activeSwarm_ != nullptr &&
+                                   activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
+        available[TIGHTENING] = tightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
         available[TREES] = trees_ && ends;
         available[ROADMAP] = roadmap_ && ends;
         return available;
@@ -230,7 +241,7 @@ namespace ompl_mfa
         const std::uint64_t limit = evaluator_->work() + work;
         // a path that tightening cannot make the best is of no use; the paper's fireflies know no such bound
         if (useTightening_ || useRecombination_)
-            activeSwarm_->setBound(withSlack(*objective_, incumbent_->cost(), FIREFLY_SLACK));
+            activeSwarm_->setBound(evaluator_->withSlack(incumbent_->cost(), FIREFLY_SLACK));
         const bool completed = activeSwarm_->step(
             [&]
             {
@@ -252,7 +263,7 @@ namespace ompl_mfa
         Waypoints spliced(si_->getStateSpace());
         if (!incumbent_->hasPath() || !activeSwarm_->frame().crossings(incumbent_->path(), onSlices))
             onSlices.clear();
-        const double bound = withSlack(*objective_, incumbent_->cost(), useTightening_ ? SPLICE_SLACK : 1.0);
+        const double bound = evaluator_->withSlack(incumbent_->cost(), useTightening_ ? SPLICE_SLACK : 1.0);
         if (activeSwarm_->recombine(onSlices, bound, work, spliced))
             offerTightened(spliced);
     }
@@ -275,42 +286,51 @@ namespace ompl_mfa
             offerTightened(path);
     }
 
-    /* A path from a guide or a splice is far from the best of its homotopy class: it is compared after tightening. */
+    /* A path from a guide or a splice is far from the best of its homotopy class: it is compared after tightening,
+       which goes on for as long as what the last rounds gained promises that the path will become the best. */
     void MFA::offerTightened(const Waypoints &path)
     {
-        const double raw = evaluator_->cost(path).value();
+        double cost = evaluator_->cost(path).value();
         if (evaluator_->interrupted())
         {
             untaken_ = path;
             return;
         }
         ++evaluations_;
-        offer(path, raw);
+        offer(path, cost);
         if (!useTightening_)
             return;
         std::uint64_t check = path.size();
         for (std::size_t i = 1; i < path.size(); ++i)
             check += si_->getStateSpace()->validSegmentCount(path[i - 1], path[i]);
         newTightening_->begin(path);
-        for (unsigned int k = 1; k <= TIGHTENING_FACTOR && !newTightening_->converged(); ++k)
+        for (unsigned int k = 0; k < TIGHTENING_ROUNDS && !newTightening_->converged() && !evaluator_->stopped(); ++k)
         {
-            newTightening_->advance(check);
-            // a path that is still far behind will not catch up
-            const double hopeless = k == 5 ? HOPELESS_EARLY : ALTERNATIVE;
-            if ((k == 5 || k == 12) &&
-                objective_->isCostBetterThan(ob::Cost(withSlack(*objective_, incumbent_->cost(), hopeless)),
-                                             newTightening_->cost()))
+            newTightening_->advance(TIGHTENING_FACTOR * check);
+            const double before = cost;
+            cost = newTightening_->cost().value();
+            if (incumbent_->improvedBy(cost))
+            {
+                // the best path's own tightening goes on from here
+                offer(newTightening_->path(), cost);
+                std::swap(tightening_, newTightening_);
+                tighteningStale_ = false;
                 return;
-            if (evaluator_->stopped())
+            }
+            if (k > 0 && !incumbent_->improvedBy(cost - PATIENCE * (before - cost)))
                 break;
         }
-        const Waypoints &tightened = newTightening_->path();
-        const double cost = newTightening_->cost().value();
-        if (incumbent_->improvedBy(cost))
-            return offer(tightened, cost);
+        keepAlternative(newTightening_->path(), cost);
+    }
+
+    void MFA::keepAlternative(const Waypoints &path, double cost)
+    {
+        if (objective_->isCostBetterThan(ob::Cost(evaluator_->withSlack(incumbent_->cost(), ALTERNATIVE)),
+                                         ob::Cost(cost)))
+            return;
         if (alternatives_.size() < MAX_ALTERNATIVES)
-            alternatives_.push_back(tightened);
+            alternatives_.push_back(path);
         else
-            alternatives_[nextAxis_ % MAX_ALTERNATIVES] = tightened;
+            alternatives_[nextAxis_ % MAX_ALTERNATIVES] = path;
     }
 }  // namespace ompl_mfa

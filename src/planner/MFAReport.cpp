@@ -81,8 +81,8 @@ namespace ompl_mfa
     std::vector<double> MFA::shares() const
     {
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
-        const double sum = std::accumulate(partWork_.begin(), partWork_.end(), 0.0);
-        std::vector<double> shares = partWork_;
+        const double sum = std::accumulate(spent_.begin(), spent_.end(), 0.0);
+        std::vector<double> shares = spent_;
         for (double &share : shares)
             share = sum > 0.0 ? share / sum : 0.0;
         return shares;

@@ -92,20 +92,17 @@ namespace ompl_mfa
             return false;
         addEnds(query);
         const std::uint64_t limit = evaluator_.work() + work;
-        const auto &objective = evaluator_.objective();
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
             addBatch(query, bound, limit);
             if (missing_ > 0)
                 return false;
-            // objectives to be maximised or with negative costs have no slack that is a factor
-            const double slack = std::isfinite(bound) && bound > 0.0 &&
-                                         objective->isCostBetterThan(ob::Cost(bound), ob::Cost(SLACK * bound))
-                                     ? SLACK * bound
-                                     : bound;
-            const double target =
-                std::isinf(best_) || objective->isCostBetterThan(ob::Cost(slack), ob::Cost(best_)) ? slack : best_;
-            if (graph_.search(target, limit > evaluator_.work() ? limit - evaluator_.work() : 0, path))
+            // a path is also worth having if it is a better one of the roadmap and not much worse than the best
+            // tightened
+            const double slack = evaluator_.withSlack(bound, SLACK);
+            const bool beaten =
+                std::isinf(best_) || evaluator_.objective()->isCostBetterThan(ob::Cost(slack), ob::Cost(best_));
+            if (graph_.search(beaten ? slack : best_, limit > evaluator_.work() ? limit - evaluator_.work() : 0, path))
             {
                 best_ = evaluator_.cost(path).value();
                 return true;

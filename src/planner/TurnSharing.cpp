@@ -40,15 +40,6 @@ namespace ompl_mfa
         return best;
     }
 
-    void TurnSharing::endDelays()
-    {
-        double least = std::numeric_limits<double>::infinity();
-        for (const Part &part : parts_)
-            least = std::min(least, part.pass);
-        for (Part &part : parts_)
-            part.pass = least;
-    }
-
     double TurnSharing::share(std::size_t part) const
     {
         double sum = 0.0;

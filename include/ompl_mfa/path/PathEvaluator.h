@@ -95,6 +95,10 @@ namespace ompl_mfa
 
         bool isBrighter(const Brightness &a, const Brightness &b) const;
 
+        /** \brief \e factor (at least 1) times \e cost where that is a worse cost, else \e cost: for objectives to be
+            maximised and for costs that are not positive no factor is a slack. */
+        double withSlack(double cost, double factor) const;
+
         /** \brief Called by evaluate for the first invalid motion of a path, with the path, the number of that motion
             and the last valid state on it. The motions before it are valid. Set it only while it is needed: it makes
             evaluate check the motions in order. */

@@ -117,6 +117,8 @@ namespace ompl_mfa
         ompl::base::PlannerStatus::StatusType begin(const ompl::base::PlannerTerminationCondition &ptc);
         void prepareQuery();
         void prepareParts();
+        void shareForFirstPath();
+        void shareForImprovement();
         void forgetParts();
         bool finished(const ompl::base::PlannerTerminationCondition &ptc);
         bool provenOptimal() const;
@@ -134,6 +136,7 @@ namespace ompl_mfa
         void tighten(std::uint64_t work);
         void follow(Guide &guide, std::uint64_t work);
         void offerTightened(const Waypoints &path);
+        void keepAlternative(const Waypoints &path, double cost);
         void offer(const Waypoints &path, double cost);
         void publish();
         void offerPartial(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
@@ -160,7 +163,7 @@ namespace ompl_mfa
         std::unique_ptr<PathTightening> newTightening_;  ///< of a path that a guide or a splice came upon
         bool tighteningStale_{false};
         TurnSharing sharing_;
-        std::vector<double> partWork_;
+        std::vector<double> spent_;  ///< by each part: seconds, or work units in a seeded run
 
         Waypoints untaken_;           ///< a path of which the stop condition left the cost unknown
         unsigned int probes_{0};      ///< detours held against the objective's bounds

@@ -23,9 +23,6 @@ namespace ompl_mfa
          */
         void record(std::size_t part, double work, double gain);
 
-        /** \brief Ends all delays: from now on every part takes its turns. */
-        void endDelays();
-
         /** \brief The part of all shares that \e part has now, in (0, 1]. */
         double share(std::size_t part) const;
 
