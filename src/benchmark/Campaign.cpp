@@ -197,6 +197,10 @@ namespace ompl_mfa
         {
             throw InputError(folder.string() + ": cannot be made a folder: " + failed.message());
         }
+        if (std::filesystem::exists(options_.log) && !std::filesystem::is_regular_file(options_.log))
+        {
+            throw InputError(options_.log.string() + ": is not a regular file; the log is to be one, or a new file");
+        }
         journal_ = openJournal(runs.size());
         std::set<std::pair<std::string, unsigned int>> done;
         for (const RunRecord &record : journal_->records())

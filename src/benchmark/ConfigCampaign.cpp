@@ -54,12 +54,7 @@ namespace ompl_mfa
 
     Campaign makeCampaign(const BenchmarkConfig &config)
     {
-        constexpr double SHORTEST_INTERVAL = 0.001;
         refuseSeeds(config);
-        if (config.benchmark.progressInterval < SHORTEST_INTERVAL)
-        {
-            throw InputError(config.file.string() + ": benchmark.progress_interval: at least 0.001 (seconds)");
-        }
         CampaignDescription description;
         description.name = config.problem.name;
         description.settings.timeLimit = config.benchmark.timeLimit;

@@ -455,6 +455,8 @@ namespace ompl_mfa
                 const auto given = [this](const std::string &key) { return find(benchmark_, key); };
                 if (const ConfigEntry *entry = given("time_limit"))
                     benchmark.timeLimit = positiveValue(*entry);
+                if (benchmark.timeLimit > LONGEST_TIME_LIMIT)
+                    failAt(benchmark_.at("time_limit"), "expected at most 1e9 (seconds)");
                 if (const ConfigEntry *entry = given("mem_limit"))
                     benchmark.memoryLimit = positiveValue(*entry);
                 if (const ConfigEntry *entry = given("run_count"))
@@ -470,10 +472,28 @@ namespace ompl_mfa
                     benchmark.simplify = switchValue(*entry);
                 if (const ConfigEntry *entry = given("seed"))
                     benchmark.seed = wholeValue(*entry, 1, std::numeric_limits<std::uint32_t>::max());
-                if (const ConfigEntry *entry = given("progress_interval"))
-                    benchmark.progressInterval = positiveValue(*entry);
+                readProgressInterval();
                 if (const ConfigEntry *entry = given("iteration_limit"))
                     benchmark.iterationLimit = wholeValue(*entry, 1, std::numeric_limits<std::uint32_t>::max());
+            }
+
+            /* A run keeps its samples, and those of a planner that returns early go on to the time limit. */
+            void readProgressInterval()
+            {
+                constexpr double SHORTEST = 0.001;
+                constexpr double USUAL_SAMPLES = 1e5;
+                constexpr double MOST_SAMPLES = 1e6;
+                CampaignConfig &benchmark = config_.benchmark;
+                const ConfigEntry *entry = find(benchmark_, "progress_interval");
+                if (!entry)
+                {
+                    benchmark.progressInterval =
+                        std::max(benchmark.progressInterval, benchmark.timeLimit / USUAL_SAMPLES);
+                    return;
+                }
+                benchmark.progressInterval = positiveValue(*entry);
+                if (benchmark.progressInterval < std::max(SHORTEST, benchmark.timeLimit / MOST_SAMPLES))
+                    failAt(*entry, "expected at least 0.001 (seconds), and a millionth of the time_limit");
             }
 
             BenchmarkConfig config_;

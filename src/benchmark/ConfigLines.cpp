@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include <boost/algorithm/string.hpp>
+#include <boost/locale/encoding_utf.hpp>
 
 #include "ompl_mfa/InputError.h"
 
@@ -50,6 +51,19 @@ namespace ompl_mfa
             return row.back();
         }
 
+        bool isUtf8(const std::string &text)
+        {
+            try
+            {
+                boost::locale::conv::utf_to_utf<char32_t>(text, boost::locale::conv::stop);
+                return true;
+            }
+            catch (const boost::locale::conv::conversion_error &)
+            {
+                return false;
+            }
+        }
+
         ConfigEntry parseEntry(const std::string &line, const std::string &section, const std::string &origin)
         {
             const auto equals = line.find('=');
@@ -82,6 +96,9 @@ namespace ompl_mfa
             boost::trim(line);
             if (line.empty())
                 continue;
+            // Names go into logs and JSON documents, which are UTF-8; a comment may be anything.
+            if (!isUtf8(line))
+                failAt(origin, "the file is to be UTF-8 text");
             if (line.front() == '[')
             {
                 if (line.back() != ']')

@@ -12,11 +12,14 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/Commands.h"
+#include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
 
 namespace
 {
+    using ompl_mfa::cli::finiteOrNull;
+
     constexpr int SIGNAL_STATUS = 128;
 
     struct Options
@@ -109,11 +112,6 @@ namespace
         }
     }
 
-    nlohmann::json finiteOrNull(double value)
-    {
-        return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-    }
-
     void printJson(const std::string &log, const std::vector<PlannerSummary> &summaries)
     {
         nlohmann::json document{{"log", log}, {"planners", nlohmann::json::array()}};
@@ -127,7 +125,7 @@ namespace
                                             {"cost_mean", finiteOrNull(mean(summary.costs))},
                                             {"simplified_cost_mean", finiteOrNull(mean(summary.simplifiedCosts))}});
         }
-        std::cout << document.dump(2) << std::endl;
+        ompl_mfa::cli::printDocument(document);
     }
 
     void readShard(const std::string &text, ompl_mfa::CampaignOptions &options)
@@ -147,6 +145,8 @@ namespace
     void benchmark(Options options)
     {
         readShard(options.shard, options.campaign);
+        if (std::isnan(options.campaign.grace))
+            throw ompl_mfa::InputError("--grace nan: expected a number of at least 0 (seconds)");
         const ompl_mfa::BenchmarkConfig config = ompl_mfa::readBenchmarkConfig(options.config);
         const ompl_mfa::Campaign campaign = ompl_mfa::makeCampaign(config);
         campaign.validate();

@@ -9,6 +9,7 @@
 #include <ompl/base/goals/GoalState.h>
 
 #include "cli/Commands.h"
+#include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
@@ -116,7 +117,7 @@ namespace
         checkPlanners(factory);
         const nlohmann::json description = describe(factory, *setup);
         if (options.json)
-            std::cout << description.dump(2) << std::endl;
+            ompl_mfa::cli::printDocument(description);
         else
             printText(description);
     }

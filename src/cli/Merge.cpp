@@ -5,8 +5,10 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "cli/Commands.h"
+#include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
@@ -17,7 +19,20 @@ namespace
         std::vector<std::string> parts;
         std::string output;
         bool allowMissing{false};
+        bool json{false};
     };
+
+    void printJson(const Options &options, const ompl_mfa::BenchmarkLog &merged)
+    {
+        nlohmann::json document{
+            {"log", options.output}, {"parts", options.parts.size()}, {"planners", nlohmann::json::array()}};
+        for (const auto &planner : merged.planners)
+        {
+            document["planners"].push_back(
+                {{"planner", planner.name.substr(planner.name.find('_') + 1)}, {"runs", planner.runs.size()}});
+        }
+        ompl_mfa::cli::printDocument(document);
+    }
 
     void merge(const Options &options)
     {
@@ -27,6 +42,11 @@ namespace
             logs.push_back(ompl_mfa::readBenchmarkLog(std::filesystem::path(part)));
         const ompl_mfa::BenchmarkLog merged = ompl_mfa::mergeBenchmarkLogs(logs, options.parts, options.allowMissing);
         ompl_mfa::writeBenchmarkLog(std::filesystem::path(options.output), merged);
+        if (options.json)
+        {
+            printJson(options, merged);
+            return;
+        }
         std::size_t runs = 0;
         for (const auto &planner : merged.planners)
             runs += planner.runs.size();
@@ -42,5 +62,6 @@ void ompl_mfa::cli::addMergeCommand(CLI::App &app)
     command->add_option("parts", options->parts, "Logs of 'ompl_mfa benchmark --shard I/N'")->required();
     command->add_option("--output", options->output, "The log that is written")->required();
     command->add_flag("--allow-missing", options->allowMissing, "Join the parts even when runs are missing");
+    command->add_flag("--json", options->json, "Print one JSON document");
     command->callback([options] { merge(*options); });
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/Commands.h"
+#include "cli/JsonDocument.h"
 #include "cli/NearestName.h"
 #include "cli/SvgFigure.h"
 #include "cli/TestFunction.h"
@@ -192,7 +193,7 @@ namespace
                   median(result.runs, [](const Run &run) { return run.shareNearOptimum; })},
                  {"evaluations", median(result.runs, [](const Run &run) { return run.evaluations; })}});
         }
-        std::cout << document.dump(2) << std::endl;
+        ompl_mfa::cli::printDocument(document);
     }
 
     void printTable(const Options &options, const std::vector<Result> &results)

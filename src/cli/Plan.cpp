@@ -1,6 +1,9 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -16,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/Commands.h"
+#include "cli/JsonDocument.h"
 #include "cli/ProblemPicture.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/MeasuredPlanner.h"
@@ -30,6 +34,7 @@ namespace
     using ompl_mfa::BenchmarkConfig;
     using ompl_mfa::PlannerSpec;
     using ompl_mfa::ProblemFactory;
+    using ompl_mfa::cli::finiteOrNull;
 
     struct Options
     {
@@ -131,8 +136,7 @@ namespace
             si->setStateValidityChecker(
                 std::make_shared<ompl_mfa::WatchedValidityChecker>(si, si->getStateValidityChecker(), state_));
             measured_ = std::make_shared<ompl_mfa::MeasuredPlanner>(
-                planner_, state_,
-                ompl_mfa::MeasuredPlanner::Settings{options.time, PROGRESS_INTERVAL, options.iterations});
+                planner_, state_, ompl_mfa::MeasuredPlanner::Settings{options.time, ONLY_AT_FIRST, options.iterations});
             setup_->setPlanner(measured_);
         }
 
@@ -165,7 +169,8 @@ namespace
         }
 
     private:
-        static constexpr double PROGRESS_INTERVAL = 0.01;
+        /* Of the progress only the time of the first solution is wanted, and that is watched for anyway. */
+        static constexpr double ONLY_AT_FIRST = ompl_mfa::LONGEST_TIME_LIMIT;
 
         void measurePath(Result &result)
         {
@@ -189,6 +194,20 @@ namespace
         ob::PlannerPtr planner_;
         std::shared_ptr<ompl_mfa::MeasuredPlanner> measured_;
     };
+
+    /** \brief Before the planner runs: its result is not to be lost for want of a folder. */
+    void requireWritable(const std::string &option, const std::filesystem::path &file)
+    {
+        if (file.empty())
+            return;
+        const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+        if (std::filesystem::is_directory(file) || !std::filesystem::is_directory(folder) ||
+            access(std::filesystem::exists(file) ? file.c_str() : folder.c_str(), W_OK) != 0)
+        {
+            throw ompl_mfa::InputError(option + " " + file.string() +
+                                       ": cannot be written; a file in an existing, writable folder is accepted");
+        }
+    }
 
     void writePath(const og::PathGeometric &path, const std::string &file)
     {
@@ -219,12 +238,6 @@ namespace
         ompl_mfa::cli::drawProblem(factory, run.setup(), content, options.picture);
     }
 
-    /* JSON has no infinity: a value that does not exist is null. */
-    nlohmann::json finite(double value)
-    {
-        return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-    }
-
     nlohmann::json count(const std::string &text)
     {
         return text.empty() ? nlohmann::json() : nlohmann::json(std::stoull(text));
@@ -237,11 +250,11 @@ namespace
                                          {"name", spec.name},
                                          {"seed", options.seed},
                                          {"status", result.status},
-                                         {"cost", finite(result.cost)},
-                                         {"unsimplified_cost", finite(result.unsimplifiedCost)},
-                                         {"length", finite(result.length)},
+                                         {"cost", finiteOrNull(result.cost)},
+                                         {"unsimplified_cost", finiteOrNull(result.unsimplifiedCost)},
+                                         {"length", finiteOrNull(result.length)},
                                          {"valid", result.valid},
-                                         {"time_to_first_solution", finite(result.timeToFirstSolution)},
+                                         {"time_to_first_solution", finiteOrNull(result.timeToFirstSolution)},
                                          {"time", result.time},
                                          {"simplification_time", result.simplificationTime},
                                          {"states", result.states},
@@ -249,7 +262,7 @@ namespace
                                          {"iterations", count(result.iterations)},
                                          {"checked_states", result.checkedStates},
                                          {"checked_motions", result.checkedMotions}};
-        std::cout << document.dump(2) << std::endl;
+        ompl_mfa::cli::printDocument(document);
     }
 
     void printText(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options, const Result &result)
@@ -282,6 +295,11 @@ namespace
             options.seed = static_cast<std::uint32_t>(benchmark.seed);
         if (!timeGiven)
             options.time = benchmark.timeLimit;
+        if (!(options.time > 0.0 && options.time <= ompl_mfa::LONGEST_TIME_LIMIT))
+            throw ompl_mfa::InputError("--time " + std::to_string(options.time) +
+                                       ": expected a number above 0 and at most 1e9 (seconds)");
+        requireWritable("--picture", options.picture);
+        requireWritable("--path", options.path);
         PlannerSpec spec = findSpec(factory.config(), options.planner);
         for (const auto &parameter : options.parameters)
             overrideParameter(spec, parameter);
@@ -311,8 +329,7 @@ void ompl_mfa::cli::addPlanCommand(CLI::App &app)
         ->add_option("--planner", options->planner,
                      "Name or type of a planner of the config, which keeps its parameters there, or any other type")
         ->capture_default_str();
-    auto *time = command->add_option("--time", options->time, "Seconds; the config's time_limit if not given")
-                     ->check(CLI::PositiveNumber);
+    auto *time = command->add_option("--time", options->time, "Seconds; the config's time_limit if not given");
     auto *seed = command->add_option("--seed", options->seed, "The config's seed if not given")
                      ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
     command->add_option("--iterations", options->iterations,

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/Commands.h"
+#include "cli/JsonDocument.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 
 namespace
@@ -34,7 +35,7 @@ namespace
             }
             planners.push_back({{"name", name}, {"title", ompl_mfa::plannerTitle(name)}, {"parameters", parameters}});
         }
-        std::cout << nlohmann::json{{"planners", planners}}.dump(2) << std::endl;
+        ompl_mfa::cli::printDocument({{"planners", planners}});
     }
 
     void printTable(const std::vector<std::string> &names)

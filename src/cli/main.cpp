@@ -1,3 +1,4 @@
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -31,8 +32,9 @@ namespace
     int report(const char *message, int status) noexcept
     {
         std::fputs("ompl_mfa: ", stderr);
+        // One line whatever a file held: line ends and control characters are not passed on to the terminal.
         for (; *message != '\0'; ++message)
-            std::fputc(*message == '\n' ? ' ' : *message, stderr);
+            std::fputc(std::iscntrl(static_cast<unsigned char>(*message)) != 0 ? ' ' : *message, stderr);
         std::fputc('\n', stderr);
         return status;
     }
@@ -116,7 +118,10 @@ int main(int argc, char **argv)
 {
     try
     {
-        return run(argc, argv);
+        const int status = run(argc, argv);
+        if (std::fflush(stdout) != 0 || !std::cout.flush())
+            return report("standard output cannot be written", FAILURE);
+        return status;
     }
     catch (const ompl_mfa::InputError &error)
     {

@@ -471,6 +471,9 @@ TEST_F(CampaignTest, MakesTheFolderOfItsLogOrSaysWhyNot)
     EXPECT_TRUE(std::filesystem::exists(options_.log));
     options_.log = "/proc/nowhere/x.log";
     EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("/proc/nowhere"), std::string::npos);
+    options_.log = folder_;
+    EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("not a regular file"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(Campaign::journalFile(folder_))) << "no run was made";
 }
 
 TEST_F(CampaignTest, SavesPaths)

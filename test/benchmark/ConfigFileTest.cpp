@@ -219,6 +219,11 @@ namespace
         EXPECT_NE(errorOf(PLANAR + "[benchmark]\nrun_count = 0\n"), "");
         EXPECT_NE(errorOf(PLANAR + "[benchmark]\ntime_limit = -1\n"), "");
         EXPECT_NE(errorOf(PLANAR + "[benchmark]\nprogress_interval = 0\n"), "");
+        EXPECT_EQ(errorOf(PLANAR + "[benchmark]\nprogress_interval = 0.0009\n"),
+                  "folder/a.cfg:9: benchmark.progress_interval = 0.0009: expected at least 0.001 (seconds), and a "
+                  "millionth of the time_limit");
+        EXPECT_EQ(errorOf(PLANAR + "[benchmark]\ntime_limit = 1e10\n"),
+                  "folder/a.cfg:9: benchmark.time_limit = 1e10: expected at most 1e9 (seconds)");
         EXPECT_NE(errorOf(PLANAR + "[planner]\nprm = 3\n"), "");
         EXPECT_NE(errorOf(PLANAR + "[planner]\nproblem.sampler = uniform\n"), "");
     }
@@ -246,6 +251,16 @@ namespace
         EXPECT_NE(errorOf(PLANAR + "objective = length\nobjective.weight.length = 1\n"), "");
         EXPECT_NE(errorOf(PLANAR + "start.theta=0\ngoal.theta=0\nstatespace=dubins\nmotion_validation=continuous\n"),
                   "");
+    }
+
+    TEST(ConfigFile, ARunHasNoMoreSamplesThanItCanKeep)
+    {
+        EXPECT_EQ(parse(PLANAR + "[benchmark]\ntime_limit = 1000\n").benchmark.progressInterval, 0.01);
+        EXPECT_EQ(parse(PLANAR + "[benchmark]\ntime_limit = 1e9\n").benchmark.progressInterval, 1e4);
+        EXPECT_EQ(
+            parse(PLANAR + "[benchmark]\ntime_limit = 1000\nprogress_interval = 0.001\n").benchmark.progressInterval,
+            0.001);
+        EXPECT_NE(errorOf(PLANAR + "[benchmark]\ntime_limit = 2000\nprogress_interval = 0.001\n"), "");
     }
 
     TEST(ConfigFile, ARotationNeedsAnAxis)

@@ -58,6 +58,8 @@ namespace
         EXPECT_EQ(inputErrorOf([] { read(" = 3\n"); }), "a.cfg:1: '= 3' has no key before '='");
         EXPECT_EQ(inputErrorOf([] { read(std::string("na\0me = 3\n", 10)); }),
                   "a.cfg:1: a NUL character; the file is to be UTF-8 text");
+        EXPECT_EQ(inputErrorOf([] { read("[problem]\nname = caf\xE9\n"); }), "a.cfg:2: the file is to be UTF-8 text");
+        EXPECT_EQ(read("# caf\xE9\nname = caf\xC3\xA9\n").at(0).value, "caf\xC3\xA9");
     }
 
     TEST(ConfigLines, RealValueTakesNothingButAFiniteNumber)

@@ -98,6 +98,14 @@ TEST_F(Benchmark, ShardsAndMergeMakeTheWhole)
     EXPECT_EQ(merged.status, 0) << merged.err;
     EXPECT_NE(merged.out.find("8 runs of 2 planners from 3 parts"), std::string::npos);
 
+    const ProgramResult json = runProgram("merge " + parts + "--json --output " + output + "merged.log");
+    const auto document = nlohmann::json::parse(json.out);
+    EXPECT_EQ(document["log"], output + "merged.log");
+    EXPECT_EQ(document["parts"], 3);
+    EXPECT_EQ(document["planners"].size(), 2u);
+    EXPECT_EQ(document["planners"][1]["planner"], "RRTConnect");
+    EXPECT_EQ(document["planners"][1]["runs"], 4);
+
     expectBadInput("merge " + parts + output + "whole.log --output " + output + "x.log", {"is in", "part"});
     expectBadInput("merge " + output + "part1.log --output " + output + "x.log", {"in none of the parts"});
     EXPECT_EQ(runProgram("merge --allow-missing " + output + "part1.log --output " + output + "x.log").status, 0);
@@ -124,6 +132,15 @@ TEST_F(Benchmark, ResumesOnlyWhatIsMissing)
     EXPECT_EQ(count(readFile(folder_ + "/scene.log"), "\n4 runs\n"), 4u);
 }
 
+TEST_F(Benchmark, SavesTheShortestPathsOfAProblemWithoutObjective)
+{
+    writeConfig("time_limit = 30\nrun_count = 2\niteration_limit = 400\nsave_paths = shortest\n",
+                "rrtstar =\nrrtconnect =\n");
+    EXPECT_EQ(runProgram("benchmark --quiet " + config()).status, 0);
+    for (const char *planner : {"RRTstar", "RRTConnect"})
+        EXPECT_EQ(readFile(folder_ + "/scene.geometric_" + planner + ".path").rfind("0.3 2.2", 0), 0u) << planner;
+}
+
 TEST_F(Benchmark, RefusesWhatItCannotUse)
 {
     for (const char *shard : {"0/3", "4/3", "3", "a/b", "1/3x", "-1/3", "1/-3", "/"})
@@ -132,6 +149,7 @@ TEST_F(Benchmark, RefusesWhatItCannotUse)
     }
     expectBadInput("benchmark --jobs 0 " + config(), {"--jobs"});
     expectBadInput("benchmark --grace -1 " + config(), {"--grace"});
+    expectBadInput("benchmark --grace nan " + config(), {"--grace"});
     expectBadInput("benchmark --resume --overwrite " + config(), {"--overwrite", "--resume"});
     expectBadInput("benchmark /no/such.cfg", {"/no/such.cfg"});
     expectBadInput("benchmark --output /proc/no/x.log " + config(), {"/proc/no"});

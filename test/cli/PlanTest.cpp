@@ -176,10 +176,19 @@ TEST_F(Plan, refusesWhatItCannotUse)
     expectBadInput("plan " + file + " --parameter population_size=-4", {"population_size", "-4"});
     expectBadInput("plan " + file + " --parameter population_size", {"NAME=VALUE"});
     expectBadInput("plan " + file + " --seed 0", {"seed"});
-    expectBadInput("plan " + file + " --time -1", {"time"});
-    expectBadInput("plan " + file + " --picture /no/such/folder/a.svg --planner rrtconnect", {"/no/such/folder/a.svg"});
+    for (const char *time : {"-1", "0", "nan", "inf", "1e10", "x"})
+        expectBadInput("plan " + file + " --time " + time, {"--time"});
+    expectBadInput("plan " + file + " --picture /no/such/folder/a.svg --time 1000", {"/no/such/folder/a.svg"});
+    expectBadInput("plan " + file + " --picture / --time 1000", {"--picture /:"});
     expectBadInput("plan " + file + " --path /no/such/folder/a.path --planner rrtconnect", {"/no/such/folder/a.path"});
     expectBadInput("plan " + path("none.cfg"), {"none.cfg"});
+}
+
+TEST_F(Plan, aPlannerThatReturnsEarlyIsNotHeldUpByALongTimeLimit)
+{
+    const ProgramResult result = runProgram("plan " + config() + " --planner rrtconnect --time 1e9 --json");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_LT(nlohmann::json::parse(result.out)["time"].get<double>(), 60.0);
 }
 
 TEST_F(Plan, namesFileAndLineOfABadConfig)

@@ -89,10 +89,13 @@ namespace ompl_mfa
         SHORTEST
     };
 
+    /** \brief Seconds, some thirty years: clocks that count nanoseconds can still add it to the time of the day. */
+    constexpr double LONGEST_TIME_LIMIT = 1e9;
+
     /** \brief The section [benchmark]. */
     struct CampaignConfig
     {
-        /** \brief Seconds a run. */
+        /** \brief Seconds a run, at most LONGEST_TIME_LIMIT. */
         double timeLimit{5.0};
         /** \brief Megabytes a run. */
         double memoryLimit{4096.0};
@@ -104,7 +107,8 @@ namespace ompl_mfa
         bool simplify{true};
         /** \brief Seed of the whole campaign, above 0. */
         std::uint_fast32_t seed{1};
-        /** \brief Seconds between two samples of the progress properties. */
+        /** \brief Seconds between two samples of the progress properties, at least 0.001; when it is not set, a
+            100000th of a time limit of more than 1000 s. */
         double progressInterval{0.01};
         /** \brief Evaluations of the termination condition after which a planner has to stop; 0: only time counts. */
         std::uint64_t iterationLimit{0};
