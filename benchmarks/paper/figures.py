@@ -1,5 +1,6 @@
 """The paper's figures, from the runs of ompl_mfa_paper_study, as SVG and PNG: figures.py FOLDER"""
 
+import math
 import os
 import sys
 from collections import defaultdict
@@ -13,7 +14,8 @@ import numpy
 from runs import ALGORITHMS, merit, read, runs_of, scenes_of
 from tables import Study
 
-COLOURS = {"ga": "#1f77b4", "fa": "#d95f02", "mfa": "#1b7837", "abc": "#7b3294", "sade": "#666666", "fa_long": "#e6ab02"}
+COLOURS = {"ga": "#1f77b4", "fa": "#d95f02", "mfa": "#1b7837", "abc": "#7b3294", "sade": "#666666", "fa_long": "#e6ab02",
+           "mfa_default": "#e7298a"}
 # The first drawn is the widest, so that it shows where another lies upon it.
 WIDTHS = {"ga": 5.0, "fa": 2.8, "mfa": 1.8}
 ROBOT_RADIUS = 0.3
@@ -76,6 +78,20 @@ def points_by(folder, name, keys):
     return points
 
 
+def grown(vertices):
+    """Outline of the points that are no farther than the robot's radius from a convex polygon."""
+    corners = numpy.array(vertices)
+    area = numpy.sum(numpy.cross(corners, numpy.roll(corners, -1, axis=0)))
+    corners = corners if area > 0.0 else corners[::-1]
+    edges = numpy.roll(corners, -1, axis=0) - corners
+    normals = numpy.arctan2(-edges[:, 0], edges[:, 1])
+    outline = []
+    for corner, before, after in zip(corners, numpy.roll(normals, 1), normals):
+        angles = before + numpy.linspace(0.0, (after - before) % (2.0 * math.pi), 8)
+        outline += [corner + ROBOT_RADIUS * numpy.array([math.cos(a), math.sin(a)]) for a in angles]
+    return outline
+
+
 class Scene:
     """Draws a scene and the paths through it."""
 
@@ -97,6 +113,7 @@ class Scene:
                 axes.add_patch(plt.Circle(vertices[0], radius + ROBOT_RADIUS, fill=False, color="#b0b0b0", linestyle=":"))
             else:
                 axes.add_patch(plt.Polygon(vertices, color="#b0b0b0", label=label))
+                axes.add_patch(plt.Polygon(grown(vertices), fill=False, color="#b0b0b0", linestyle=":"))
         axes.set(xlim=(0, 20.3), ylim=(0, 20.3), aspect="equal", xlabel="x [m]", ylabel="y [m]")
 
     def draw_optimum(self, axes, scene, **style):
@@ -175,8 +192,8 @@ def convergence(folder):
     axes.annotate("1 % above the optimum", (evaluations[-1], 1.0), xytext=(0, -12), textcoords="offset points",
                   ha="right", fontsize=9)
     axes.set(xlabel="path evaluations", ylabel="best path so far, above the exact optimum [%]", yscale="log",
-             ylim=(0.5, 100), xlim=(0, BUDGET), title=f"Paper's scene: median and quartiles of {len(runs)} runs")
-    axes.set_yticks([0.5, 1, 2, 5, 10, 20, 50, 100], ["0.5", "1", "2", "5", "10", "20", "50", "100"])
+             ylim=(0.1, 100), xlim=(0, BUDGET), title=f"Paper's scene: median and quartiles of {len(runs)} runs")
+    axes.set_yticks([0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100], ["0.1", "0.2", "0.5", "1", "2", "5", "10", "20", "50", "100"])
     axes.legend(fontsize=9)
     save(figure, folder, "paper_convergence")
 

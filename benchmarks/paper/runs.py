@@ -44,7 +44,10 @@ def read(folder, name):
 
 
 def runs_of(folder):
-    """(scene, algorithm) -> list of runs with cost, violation, evaluations and evaluations_to_target."""
+    """(scene, algorithm) -> list of runs with cost, violation, evaluations, evaluations_to_target, seconds_to_target."""
+    seconds = {
+        (row["scene"], row["algorithm"], row["run"]): float(row["seconds_to_target"]) for row in read(folder, "times.csv")
+    }
     runs = defaultdict(list)
     for row in read(folder, "runs.csv"):
         runs[row["scene"], row["algorithm"]].append(
@@ -53,6 +56,7 @@ def runs_of(folder):
                 "violation": float(row["violation"]),
                 "evaluations": int(row["evaluations"]),
                 "evaluations_to_target": int(row["evaluations_to_target"]),
+                "seconds_to_target": seconds[row["scene"], row["algorithm"], row["run"]],
             }
         )
     return runs

@@ -1,4 +1,4 @@
-"""table.csv, tests.csv, ranks.csv and the tables of docs/paper.md, from the runs of ompl_mfa_paper_study.
+"""table.csv, tests.csv, ranks.csv, to_1_percent.csv and the tables of docs/paper.md, from the runs of ompl_mfa_paper_study.
 
 tables.py FOLDER [--docs docs/paper.md]
 """
@@ -18,6 +18,9 @@ from runs import ABLATIONS, ALGORITHMS, feasible_costs, merit, read, runs_of, sc
 
 PAPER_TABLE = {"ga": (29.83, 31.19), "fa": (29.58, 30.84), "mfa": (28.46, 29.82)}
 PAPER_SCENES = ["paper_1", "paper_2", "paper_3", "paper_4"]
+COLUMNS = ["runs", "shortest", "mean", "median", "worst", "sd", "feasible_share", "evaluations", "optimum"]
+# Of wall times only medians are kept, and in this file alone: all the others are the same after every run.
+COLUMNS_TO_1_PERCENT = ["share_to_1_percent", "evaluations_to_1_percent", "seconds_to_1_percent"]
 
 
 def holm(p_values):
@@ -42,7 +45,7 @@ def compare(a, b):
 
 def summary(runs, optimum):
     costs = feasible_costs(runs)
-    reached = [run["evaluations_to_target"] for run in runs if run["evaluations_to_target"] > 0]
+    reached = [run for run in runs if run["evaluations_to_target"] > 0]
     nan = math.nan
     return {
         "runs": len(runs),
@@ -55,7 +58,8 @@ def summary(runs, optimum):
         "evaluations": numpy.median([run["evaluations"] for run in runs]),
         "optimum": optimum,
         "share_to_1_percent": len(reached) / len(runs),
-        "evaluations_to_1_percent": numpy.median(reached) if reached else nan,
+        "evaluations_to_1_percent": numpy.median([run["evaluations_to_target"] for run in reached]) if reached else nan,
+        "seconds_to_1_percent": numpy.median([run["seconds_to_target"] for run in reached]) if reached else nan,
     }
 
 
@@ -122,12 +126,12 @@ class Study:
         return dict(zip(self.contenders, ranks)), difference, stats.friedmanchisquare(*table.T).pvalue
 
     def write(self):
-        keys = list(next(iter(self.summaries.values())))
-        write_csv(
-            os.path.join(self.folder, "table.csv"),
-            ["scene", "algorithm"] + keys,
-            [[scene, a] + [float(s[key]) for key in keys] for (scene, a), s in self.summaries.items()],
-        )
+        for name, columns in (("table.csv", COLUMNS), ("to_1_percent.csv", COLUMNS_TO_1_PERCENT)):
+            write_csv(
+                os.path.join(self.folder, name),
+                ["scene", "algorithm"] + columns,
+                [[scene, a] + [float(s[column]) for column in columns] for (scene, a), s in self.summaries.items()],
+            )
         write_csv(
             os.path.join(self.folder, "tests.csv"),
             ["scene", "a", "b", "p_holm", "effect"],
@@ -166,9 +170,10 @@ class Study:
                 + [number(s[key]) for key in ("shortest", "mean", "median", "worst", "sd")]
                 + [f"{100 * s['feasible_share']:.0f} %", number(s["evaluations"], 0)]
                 + [f"{100 * s['share_to_1_percent']:.0f} %", number(s["evaluations_to_1_percent"], 0)]
+                + [number(1000 * s["seconds_to_1_percent"], 0)]
             )
         header = ["algorithm", "shortest", "mean", "median", "worst", "sd", "collision-free", "evaluations"]
-        return markdown(header + ["runs to 1 %", "evaluations to 1 %"], rows)
+        return markdown(header + ["runs to 1 %", "evaluations to 1 %", "ms to 1 %"], rows)
 
     def ranks_on(self, scene, algorithm):
         return numpy.mean([merit(run) for run in self.runs[scene, algorithm]])
@@ -314,18 +319,6 @@ class Study:
         ]
         return markdown(["algorithm", "share within 0.5 of the maximum, median of 30 runs", "worst run"], rows)
 
-    def print_times(self):
-        """Wall times differ from run to run: they are printed and not written into table.csv."""
-        times = defaultdict(list)
-        for row in read(self.folder, "times.csv"):
-            if row["scene"] == "paper_1":
-                times[row["algorithm"]].append((float(row["seconds"]), float(row["seconds_to_target"])))
-        print("\nSeconds on the paper's scene (median): whole budget, and to 1 % above the optimum where it came to that")
-        for a in self.contenders:
-            reached = [to for _, to in times[a] if to > 0.0]
-            to = f"{numpy.median(reached):.4f} in {len(reached)} runs" if reached else "never"
-            print(f"  {ALGORITHMS[a]:30} {numpy.median([whole for whole, _ in times[a]]):8.4f}   {to}")
-
 
 def update_docs(study, path):
     with open(path) as file:
@@ -346,7 +339,6 @@ def main():
         update_docs(study, sys.argv[sys.argv.index("--docs") + 1])
     for name in ("paper", "scene", "tests", "starts", "ranks", "ablation", "slices", "functions", "moved", "populations"):
         print(f"\n== {name}\n{getattr(study, 'table_' + name)()}")
-    study.print_times()
 
 
 if __name__ == "__main__":
