@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Runs OMPL.app's sample problems and prints the table of docs/benchmarks.md.
+"""Runs OMPL.app's sample problems and prints their table, beside the reference; --docs writes it into docs/benchmarks.md.
 
-omplapp.py PROBLEMS OUTPUT [--program PROGRAM] [--planners a,b,c] [--time-limit S] [--runs N] [--table-only]
+omplapp.py PROBLEMS OUTPUT [--program PROGRAM] [--planners a,b,c] [--time-limit S] [--runs N] [--table-only] [--docs FILE]
 
 PROBLEMS is the folder with OMPL.app's 2D/ and 3D/ (resources/ of its sources, or OMPL.app's installed one); nothing of it is part
 of this project. OUTPUT gets a config, a log and a journal for each problem; called again, it goes on where it stopped.
@@ -75,26 +75,48 @@ def mean(values):
 
 
 def reference(experiment, planner):
+    """The reference's mean length and simplified length, or None."""
     name = planner[1:] if planner.startswith("kBIT") else planner
-    if name == "RRTConnect" and experiment in FIRST_SOLUTION:
-        return f"first after {FIRST_SOLUTION[experiment]} s"
-    pair = REFERENCE.get(experiment, {}).get(name)
-    return f"{pair[0]:.4g}, {pair[1]:.4g}" if pair else "-"
+    return REFERENCE.get(experiment, {}).get(name)
 
 
-def print_table(logs):
-    print("| problem | planner | solved | killed | first solution [s] | length | simplified | reference |")
-    print("|---|---|---|---|---|---|---|---|")
+def difference(values, expected):
+    return f"{100.0 * (statistics.mean(values) / expected - 1.0):+.1f} %" if values and expected else "-"
+
+
+def row(experiment, planner, runs):
+    solved = [run for run in runs if run.get("solved BOOLEAN") == "1"]
+    killed = sum(run["termination ENUM"] != "0" for run in runs)
+    first = numbers(solved, "time to first solution REAL")
+    lengths = numbers(solved, "path cost REAL")
+    pair = reference(experiment, planner)
+    if planner == "RRTConnect" and experiment in FIRST_SOLUTION:
+        expected = f"first after {FIRST_SOLUTION[experiment]} s"
+    else:
+        expected = f"{pair[0]:.4g}, {pair[1]:.4g}" if pair else "-"
+    return [experiment, planner, f"{len(solved)}/{len(runs)}", str(killed), f"{statistics.median(first):.3g}" if first else "-",
+            mean(lengths), mean(numbers(solved, "simplified path cost REAL")), expected,
+            difference(lengths, pair and pair[0])]
+
+
+def table(logs):
+    header = ["problem", "planner", "solved", "killed", "first solution [s]", "length", "simplified", "reference",
+              "length against it"]
+    rows = [header, ["---"] * len(header)]
     for log in logs:
         experiment, planners = read_log(log)
-        for planner, runs in planners.items():
-            solved = [run for run in runs if run.get("solved BOOLEAN") == "1"]
-            killed = sum(run["termination ENUM"] != "0" for run in runs)
-            first = numbers(solved, "time to first solution REAL")
-            print(f"| {experiment} | {planner} | {len(solved)}/{len(runs)} | {killed} | "
-                  f"{statistics.median(first):.3g}" if first else f"| {experiment} | {planner} | 0/{len(runs)} | {killed} | -",
-                  "|", mean(numbers(solved, "path cost REAL")), "|", mean(numbers(solved, "simplified path cost REAL")),
-                  "|", reference(experiment, planner), "|")
+        rows += [row(experiment, planner, runs) for planner, runs in planners.items()]
+    return "\n".join("| " + " | ".join(cells) + " |" for cells in rows)
+
+
+def update_docs(path, text):
+    with open(path) as file:
+        page = file.read()
+    page, count = re.subn(r"(?s)(<!-- omplapp -->\n).*?(\n<!-- end -->)", lambda m: m[1] + text + m[2], page)
+    if count != 1:
+        sys.exit(f"{path}: expected one <!-- omplapp --> ... <!-- end -->, found {count}")
+    with open(path, "w") as file:
+        file.write(page)
 
 
 def main():
@@ -107,6 +129,7 @@ def main():
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--table-only", action="store_true")
+    parser.add_argument("--docs", metavar="FILE")
     arguments = parser.parse_args()
     os.makedirs(arguments.output, exist_ok=True)
     logs = []
@@ -118,7 +141,10 @@ def main():
             status = subprocess.run(command, stdout=subprocess.DEVNULL).returncode
             if status != 0:
                 sys.exit(status)
-    print_table([log for log in logs if os.path.exists(log)])
+    text = table([log for log in logs if os.path.exists(log)])
+    print(text)
+    if arguments.docs:
+        update_docs(arguments.docs, text)
 
 
 if __name__ == "__main__":

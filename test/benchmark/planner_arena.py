@@ -206,7 +206,7 @@ def check(browser, planners, folder):
 
     colours = hues(planners)
     wait_for("the page", lambda: browser.run("return document.querySelectorAll('#perf_attr').length"))
-    plot = show(browser, "performance", "perf", "perf_attr", "simplified_path_cost")
+    plot = show(browser, "performance", "perf", "perf_attr", "time_to_first_solution")
     seen = browser.run(LOOK, plot, [[48, 115, 186], [153, 201, 235]])
     print("Overall performance:", seen)
     keep("performance")
