@@ -330,6 +330,10 @@ namespace ompl_mfa::collision
                 {
                     fail(node, key + (node.IsScalar() ? " = " + node.Scalar() : "") + ": must be a finite number");
                 }
+                if (std::abs(value) > largestCoordinate)
+                {
+                    fail(node, key + " = " + node.Scalar() + ": must not exceed 1e30, of which distances overflow");
+                }
                 return value;
             }
 
@@ -368,11 +372,12 @@ namespace ompl_mfa::collision
                     const Eigen::Vector4d xyzw =
                         readVector<4>(node["orientation"], "orientation", {"x", "y", "z", "w"});
                     // Not of unit length to the digits that a file has is normal; zero has no direction at all.
-                    if (xyzw.norm() < 1e-6)
+                    const double length = xyzw.stableNorm();
+                    if (length < 1e-6)
                     {
                         fail(node["orientation"], "orientation: a quaternion of length 0 is no rotation");
                     }
-                    pose.linear() = Eigen::Quaterniond(xyzw.normalized()).toRotationMatrix();
+                    pose.linear() = Eigen::Quaterniond(xyzw / length).toRotationMatrix();
                 }
                 return pose;
             }

@@ -9,6 +9,7 @@
 #include <assimp/Importer.hpp>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa::collision
 {
@@ -60,15 +61,48 @@ namespace ompl_mfa::collision
             }
         }
 
-        void requireFinite(const TriangleMesh &mesh, const std::string &file)
+        void requireFinite(const fcl::Vector3d &vertex, const std::string &file)
         {
-            for (const fcl::Vector3d &vertex : mesh.vertices)
+            if (!vertex.allFinite())
             {
-                if (!vertex.allFinite())
+                throw InputError(file + ": mesh has a vertex with a coordinate that is not a finite number");
+            }
+            if (vertex.cwiseAbs().maxCoeff() > largestCoordinate)
+            {
+                throw InputError(file +
+                                 ": mesh has a vertex with a coordinate beyond 1e30, of which distances overflow");
+            }
+        }
+
+        // Joining vertices takes one that is not a number for any other, so it has to be looked for before.
+        void requireFinite(const aiScene &scene, const std::string &file)
+        {
+            for (unsigned int i = 0; i < scene.mNumMeshes; ++i)
+            {
+                const aiMesh &mesh = *scene.mMeshes[i];
+                for (unsigned int j = 0; j < mesh.mNumVertices; ++j)
                 {
-                    throw InputError(file + ": mesh has a vertex with a coordinate that is not a finite number");
+                    requireFinite({mesh.mVertices[j].x, mesh.mVertices[j].y, mesh.mVertices[j].z}, file);
                 }
             }
+        }
+
+        // Throws where assimp reads nothing.
+        const aiScene &readScene(Assimp::Importer &importer, const std::string &file)
+        {
+            const aiScene *scene = importer.ReadFile(file, 0);
+            if (scene != nullptr)
+            {
+                requireFinite(*scene, file);
+                scene = importer.ApplyPostProcessing(aiProcess_GenNormals | aiProcess_Triangulate |
+                                                     aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
+                                                     aiProcess_OptimizeGraph);
+            }
+            if (scene == nullptr || scene->mRootNode == nullptr)
+            {
+                throw InputError(file + ": not a readable mesh: " + importer.GetErrorString());
+            }
+            return *scene;
         }
     }  // namespace
 
@@ -79,21 +113,19 @@ namespace ompl_mfa::collision
             throw InputError(file.string() + ": mesh file not found");
         }
         Assimp::Importer importer;
-        const aiScene *scene = importer.ReadFile(file.string(), aiProcess_GenNormals | aiProcess_Triangulate |
-                                                                    aiProcess_JoinIdenticalVertices |
-                                                                    aiProcess_SortByPType | aiProcess_OptimizeGraph);
-        if (scene == nullptr || scene->mRootNode == nullptr)
-        {
-            throw InputError(file.string() + ": not a readable mesh: " + importer.GetErrorString());
-        }
+        const aiScene &scene = readScene(importer, file.string());
         TriangleMesh mesh;
         VertexSum all;
-        appendNode(*scene, *scene->mRootNode, aiMatrix4x4(), mesh, all);
+        appendNode(scene, *scene.mRootNode, aiMatrix4x4(), mesh, all);
         if (mesh.triangles.empty())
         {
             throw InputError(file.string() + ": mesh has no triangles");
         }
-        requireFinite(mesh, file.string());
+        // A transform may be broken where no vertex is.
+        for (const fcl::Vector3d &vertex : mesh.vertices)
+        {
+            requireFinite(vertex, file.string());
+        }
         mesh.vertexMean = all.sum / static_cast<double>(all.count);
         return mesh;
     }

@@ -64,6 +64,36 @@ TEST_F(Check, refusesEachFaultOfAConfig)
     expectBadInput("check", {"FILE"});
 }
 
+TEST_F(Check, refusesEachFaultOfAWorld)
+{
+    const auto expectFault =
+        [this](const std::string &world, const std::string &content, const std::vector<std::string> &words)
+    {
+        write(world, content);
+        std::vector<std::string> all{"a.cfg:2", world};
+        all.insert(all.end(), words.begin(), words.end());
+        expectBadInput("check " + config(START, "", "world = " + world + "\n"), all);
+    };
+    const auto scene = [](const std::string &shape, const std::string &orientation)
+    {
+        return "world:\n  collision_objects:\n    - id: thing\n      primitives: [{" + shape +
+               "}]\n      primitive_poses: [{orientation: [" + orientation + "]}]\n";
+    };
+    expectFault("unreadable.dae", "no XML", {"not a readable mesh"});
+    expectFault("empty.stl", "", {"not a readable mesh"});
+    expectFault("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", {"no triangles"});
+    expectFault("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", {"not a finite number"});
+    expectFault("zero.yaml", scene("type: box, dimensions: [1, 1, 1]", "0, 0, 0, 0"), {":5", "quaternion of length 0"});
+    expectFault("negative.yaml", scene("type: cylinder, dimensions: [1, -0.5]", "0, 0, 0, 1"),
+                {":4", "cylinder radius = -0.5"});
+    expectFault("unknown.yaml", scene("type: torus, dimensions: [1, 1]", "0, 0, 0, 1"), {":4", "'torus'", "sphere"});
+    expectFault("mesh.yaml", "world:\n  collision_objects:\n    - id: thing\n      meshes: [{resource: none.stl}]\n",
+                {":4", "none.stl", "not found"});
+    expectFault("old.bt", "# OctoMap v0.5\n", {":1", "version 1.0"});
+    expectFault("other.ot", "# Octomap OcTree file\nid ColorOcTree\nsize 1\nres 0.1\ndata\n", {"ColorOcTree"});
+    expectFault("none.bt", "# Octomap OcTree binary file\nid OcTree\nsize 0\nres 0.1\ndata\n", {"no occupied cell"});
+}
+
 TEST_F(Check, acceptsByteOrderMarksAndAnglesBeyondPi)
 {
     const std::string text = readFile(config(START + "start.theta = 3.5\ngoal.theta = -9.75\n"));

@@ -247,6 +247,94 @@ namespace ompl_mfa::collision
             }
         }
 
+        // Every kind of shape, all lengths multiplied: a scene for each shape, and a pose.
+        std::vector<std::shared_ptr<fcl::CollisionGeometryd>> everyShape(double scale)
+        {
+            std::vector<std::shared_ptr<fcl::CollisionGeometryd>> shapes{
+                makeMeshGeometry(boxMesh(scale * fcl::Vector3d(1., 1.5, 0.7))),
+                occupancyMap({{0, 0, 0}, {2, 1, 0}, {-1, 0, 1}}, 0.5 * scale)};
+            for (const PrimitiveKind &kind : primitiveKinds())
+            {
+                shapes.push_back(makePrimitive(kind, std::vector<double>(kind.dimensions.size(), scale)));
+            }
+            return shapes;
+        }
+
+        // In millimetres or megametres as in metres.
+        TEST(CollisionQuery, AnswersScaleWithTheWorld)
+        {
+            const auto unscaled = everyShape(1.);
+            for (const double scale : {1e-3, 1e6})
+            {
+                const auto scaled = everyShape(scale);
+                for (std::size_t i = 0; i < scaled.size(); ++i)
+                {
+                    for (std::size_t j = 0; j < scaled.size(); ++j)
+                    {
+                        Scene scene;
+                        scene.add({"", unscaled[i]});
+                        Scene scaledScene;
+                        scaledScene.add({"", scaled[i]});
+                        const CollisionQuery query(share(scene), {bodyOf(unscaled[j])});
+                        const CollisionQuery scaledQuery(share(scaledScene), {bodyOf(scaled[j])});
+                        Random random(9);
+                        for (int k = 0; k < 50; ++k)
+                        {
+                            fcl::Transform3d pose = random.pose(1.5);
+                            const bool collides = query.collides(&pose);
+                            const double distance = query.distance(&pose, unlimited);
+                            pose.translation() *= scale;
+                            EXPECT_EQ(scaledQuery.collides(&pose), collides) << scale << ' ' << i << ' ' << j;
+                            EXPECT_NEAR(scaledQuery.distance(&pose, unlimited), scale * distance, 1e-7 * scale)
+                                << scale << ' ' << i << ' ' << j;
+                        }
+                    }
+                }
+            }
+        }
+
+        // Meshes from files hold triangles without an area.
+        TEST(CollisionQuery, TrianglesWithoutAreaAreSegmentsAndPoints)
+        {
+            TriangleMesh degenerate;
+            degenerate.vertices = {{-1., 0., 0.}, {1., 0., 0.}, {0., 0., 0.}, {0., 0., 3.}};
+            degenerate.triangles = {{0, 1, 2}, {0, 0, 1}, {3, 3, 3}};
+            Scene scene;
+            scene.add({"", makeMeshGeometry(degenerate)});
+            const double radius = 0.25;
+            const CollisionQuery ball(share(scene), {RigidBody::sphere(radius)});
+            const CollisionQuery box(share(scene), {RigidBody::box(1., 1., 1.)});
+            const CollisionQuery mesh(share(scene), {bodyOf(makeMeshGeometry(boxMesh({1., 1., 1.})))});
+            Random random(10);
+            int hits = 0;
+            for (int i = 0; i < 2000; ++i)
+            {
+                fcl::Transform3d pose = fcl::Transform3d::Identity();
+                pose.translation() = random.point(2.);
+                const fcl::Vector3d &p = pose.translation();
+                const double toSegment = (p - fcl::Vector3d(std::clamp(p.x(), -1., 1.), 0., 0.)).norm();
+                const double toPoint = (p - fcl::Vector3d(0., 0., 3.)).norm();
+                const double expected = std::min(toSegment, toPoint) - radius;
+                EXPECT_EQ(ball.collides(&pose), expected <= 0.);
+                EXPECT_NEAR(ball.distance(&pose, unlimited), std::max(0., expected), 1e-9);
+                hits += expected <= 0. ? 1 : 0;
+                // The segment, and the point, to a box along the axes.
+                const double aside = std::max(0., std::abs(p.x()) - 1.5);
+                const double across =
+                    std::hypot(std::max(0., std::abs(p.y()) - 0.5), std::max(0., std::abs(p.z()) - 0.5));
+                const fcl::Vector3d q = (p - fcl::Vector3d(0., 0., 3.)).cwiseAbs() - fcl::Vector3d::Constant(0.5);
+                const double toBox = std::min(std::hypot(aside, across), q.cwiseMax(0.).norm());
+                EXPECT_EQ(box.collides(&pose), toBox <= 0.);
+                EXPECT_NEAR(box.distance(&pose, unlimited), toBox, 1e-9);
+                if (toBox > 0.)
+                {
+                    EXPECT_FALSE(mesh.collides(&pose));
+                    EXPECT_NEAR(mesh.distance(&pose, unlimited), toBox, 1e-9);
+                }
+            }
+            EXPECT_GT(hits, 10);
+        }
+
         TEST(CollisionQuery, ChecksEveryShapeOfABody)
         {
             fcl::Transform3d arm = fcl::Transform3d::Identity();

@@ -139,6 +139,10 @@ namespace ompl_mfa::collision
                               "3 components");
             expectObjectFault(sphere + "      primitive_poses: [{position: {x: 0, y: 0}}]\n", ":5", "'z' is missing");
             expectObjectFault(sphere + "      primitive_poses: [{position: [0, 0, .inf]}]\n", ":5", "position.z");
+            expectObjectFault(sphere + "      primitive_poses: [{position: [0, 1e200, 0]}]\n", ":5",
+                              "position.y = 1e200", "must not exceed 1e30");
+            expectObjectFault("      primitives: [{type: box, dimensions: [1, 1e300, 1]}]\n", ":4",
+                              "dimensions = 1e300", "must not exceed 1e30");
             expectObjectFault(sphere + "      primitive_poses: [{}, {}]\n", ":5", "2 entries for 1");
             expectObjectFault(sphere + "      primitive_poses: [{translation: [0, 0, 0]}]\n", ":5",
                               "unknown key 'translation'");

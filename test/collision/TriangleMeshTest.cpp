@@ -103,8 +103,12 @@ namespace ompl_mfa::collision
             expectInputError(load("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), "lines.obj", "no triangles");
             const float nan = std::numeric_limits<float>::quiet_NaN();
             expectInputError(load("nan.stl", stl({0, 0, 0, 1, 0, 0, 0, nan, 0})), "nan.stl", "not a finite number");
+            // In its first coordinates it would pass for the vertex before it.
+            expectInputError(load("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n"), "nan.obj",
+                             "not a finite number");
             const float inf = std::numeric_limits<float>::infinity();
             expectInputError(load("inf.stl", stl({0, 0, inf, 1, 0, 0, 0, 1, 0})), "inf.stl", "not a finite number");
+            expectInputError(load("far.stl", stl({0, 0, 1e35F, 1, 0, 0, 0, 1, 0})), "far.stl", "beyond 1e30");
             EXPECT_THROW(makeMeshGeometry(TriangleMesh()), std::invalid_argument);
         }
     }  // namespace

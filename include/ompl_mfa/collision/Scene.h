@@ -10,6 +10,10 @@
 
 namespace ompl_mfa::collision
 {
+    /** \brief What a file may hold at most as a coordinate or a length. Distances take its eighth power, which has to
+        stay finite. */
+    constexpr double largestCoordinate = 1e30;
+
     /** \brief One obstacle: a geometry and where it stands in the world. */
     struct CollisionObject
     {
