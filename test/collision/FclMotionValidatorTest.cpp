@@ -1,5 +1,6 @@
 #include "ompl_mfa/collision/FclMotionValidator.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <fcl/geometry/shape/box.h>
@@ -318,35 +319,50 @@ namespace ompl_mfa::collision
             return false;
         }
 
-        // OMPL.app made these paths with discrete checks. Motion 82 of Barriers.path has a robot corner inside a
-        // barrier over 39% of its length, between two valid states: a continuous check has to refuse it.
+        std::vector<std::size_t> refusedMotions(const ob::MotionValidator &validator,
+                                                const std::vector<ob::ScopedState<>> &path)
+        {
+            std::vector<std::size_t> refused;
+            for (std::size_t i = 1; i < path.size(); ++i)
+            {
+                if (!validator.checkMotion(path[i - 1].get(), path[i].get()))
+                {
+                    refused.push_back(i);
+                }
+            }
+            return refused;
+        }
+
+        // OMPL.app made these paths with discrete checks at 0.01 of the space. In motion 82 of Barriers.path these are
+        // two segments of 1.9, between valid states; a corner of the robot is inside a barrier over 39% of it, which a
+        // check at 0.005 (three segments) sees, and a continuous one has to.
         TEST_P(OmplAppTest, ShippedPathIsValidStateByStateAndMotionByMotion)
         {
             const OmplAppProblem &problem = GetParam();
             const OmplAppWorld world(problem);
-            const std::vector<std::vector<double>> rows =
-                readRows(omplAppFolder() / problem.folder / (std::string(problem.name) + ".path"));
-            ASSERT_GT(rows.size(), 2U);
-            const FclMotionValidator continuous(world.si(), world.checker());
-            std::vector<std::size_t> refused;
-            for (std::size_t i = 0; i < rows.size(); ++i)
+            std::vector<ob::ScopedState<>> path;
+            for (const std::vector<double> &row :
+                 readRows(omplAppFolder() / problem.folder / (std::string(problem.name) + ".path")))
             {
-                const ob::ScopedState<> state = world.state(rows[i]);
-                EXPECT_TRUE(world.si()->isValid(state.get())) << "state " << i;
-                if (i > 0)
-                {
-                    const ob::ScopedState<> previous = world.state(rows[i - 1]);
-                    EXPECT_TRUE(world.si()->checkMotion(previous.get(), state.get())) << "motion " << i;
-                    const bool valid = continuous.checkMotion(previous.get(), state.get());
-                    EXPECT_EQ(valid, !someStateCollides(world, previous, state)) << "motion " << i;
-                    if (!valid)
-                    {
-                        refused.push_back(i);
-                    }
-                }
+                path.push_back(world.state(row));
+                EXPECT_TRUE(world.si()->isValid(path.back().get())) << "state " << path.size() - 1;
             }
+            ASSERT_GT(path.size(), 2U);
+            EXPECT_DOUBLE_EQ(world.si()->getStateValidityCheckingResolution(), 0.01);
+            EXPECT_EQ(refusedMotions(*world.si()->getMotionValidator(), path), std::vector<std::size_t>{});
+
+            const std::vector<std::size_t> refused =
+                refusedMotions(FclMotionValidator(world.si(), world.checker()), path);
             EXPECT_EQ(refused, std::string(problem.name) == "Barriers" ? std::vector<std::size_t>{82}
                                                                        : std::vector<std::size_t>{});
+            for (std::size_t i = 1; i < path.size(); ++i)
+            {
+                const bool isRefused = std::find(refused.begin(), refused.end(), i) != refused.end();
+                EXPECT_EQ(isRefused, someStateCollides(world, path[i - 1], path[i])) << "motion " << i;
+            }
+            world.si()->setStateValidityCheckingResolution(0.005);
+            world.si()->setup();
+            EXPECT_EQ(refusedMotions(*world.si()->getMotionValidator(), path), refused);
         }
 
         INSTANTIATE_TEST_SUITE_P(OmplApp, OmplAppTest, ::testing::ValuesIn(omplAppProblems()), problemName);
