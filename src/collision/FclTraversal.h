@@ -1,6 +1,8 @@
 #ifndef OMPL_MFA_COLLISION_FCL_TRAVERSAL_
 #define OMPL_MFA_COLLISION_FCL_TRAVERSAL_
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include <fcl/narrowphase/collision.h>
@@ -132,6 +134,36 @@ namespace ompl_mfa::collision
         node.tri_indices = mesh.tri_indices;
     }
 
+    inline fcl::TrianglePd triangleOf(const MeshGeometry &mesh, intptr_t index)
+    {
+        const fcl::Triangle &triangle = mesh.tri_indices[index];
+        return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
+    }
+
+    // FCL's distance of two triangles takes those with sides below 2e-4 for their edges, in whatever unit.
+    struct MeshDistanceNode : fcl::detail::MeshDistanceTraversalNodeOBBRSS<double>
+    {
+        // Any pair gives a bound to begin with.
+        void preprocess() override
+        {
+            testTriangles(0, 0);
+        }
+
+        void leafTesting(int first, int second) const override
+        {
+            testTriangles(model1->getBV(first).primitiveId(), model2->getBV(second).primitiveId());
+        }
+
+    private:
+        void testTriangles(int first, int second) const
+        {
+            const double gap = separate(triangleOf(*model1, first), fcl::Transform3d::Identity(),
+                                        triangleOf(*model2, second), tf, false)
+                                   .lower;
+            result->update(std::max(0., gap), model1, model2, first, second);
+        }
+    };
+
     // FCL's traversal for a pair with a mesh or a map on at least one side.
     template <typename A, typename B>
     struct Traversal
@@ -175,7 +207,10 @@ namespace ompl_mfa::collision
             static const fcl::DistanceRequestd request;
             if constexpr (std::is_same_v<A, MeshGeometry> && std::is_same_v<B, MeshGeometry>)
             {
-                fcl::detail::BVHDistance<BoundingVolume>(a, poseA, b, poseB, request, result);
+                MeshDistanceNode node;
+                fcl::detail::initialize(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB,
+                                        request, result);
+                fcl::detail::distance(&node);
             }
             else if constexpr (std::is_same_v<A, MeshGeometry>)
             {

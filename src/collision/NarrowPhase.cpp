@@ -22,12 +22,6 @@ namespace ompl_mfa::collision
             return result;
         }
 
-        fcl::TrianglePd triangleOf(const MeshGeometry &mesh, intptr_t index)
-        {
-            const fcl::Triangle &triangle = mesh.tri_indices[index];
-            return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
-        }
-
         // Upper bound on a distance from the triangles that were closest before; infinite where there are none.
         template <typename A, typename B>
         double rememberedDistance(const A &a, const Pose &poseA, const B &b, const Pose &poseB,

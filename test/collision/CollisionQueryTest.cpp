@@ -260,11 +260,11 @@ namespace ompl_mfa::collision
             return shapes;
         }
 
-        // In millimetres or megametres as in metres.
+        // In micrometres or megametres as in metres.
         TEST(CollisionQuery, AnswersScaleWithTheWorld)
         {
             const auto unscaled = everyShape(1.);
-            for (const double scale : {1e-3, 1e6})
+            for (const double scale : {1e-6, 1e6})
             {
                 const auto scaled = everyShape(scale);
                 for (std::size_t i = 0; i < scaled.size(); ++i)

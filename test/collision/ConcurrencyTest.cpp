@@ -153,7 +153,7 @@ namespace ompl_mfa::collision
         {
             for (const auto &robot : robots())
             {
-                const Setting setting(robot, MeshInterior::Free);
+                const Setting setting(robot, MeshInterior::Solid);
                 std::vector<double> expected(setting.states.size());
                 setting.ask(expected);
                 std::vector<std::vector<double>> answers(4, std::vector<double>(setting.states.size()));
@@ -179,14 +179,17 @@ namespace ompl_mfa::collision
 
         TEST(Concurrency, AQueryAllocatesNothing)
         {
-            for (const auto &robot : robots())
+            for (const MeshInterior interior : {MeshInterior::Free, MeshInterior::Solid})
             {
-                const Setting setting(robot, MeshInterior::Free);
-                std::vector<double> answers(setting.states.size());
-                setting.ask(answers);
-                const std::size_t before = allocations;
-                setting.ask(answers);
-                EXPECT_EQ(allocations - before, 0U) << "robot of FCL's node type " << robot->getNodeType();
+                for (const auto &robot : robots())
+                {
+                    const Setting setting(robot, interior);
+                    std::vector<double> answers(setting.states.size());
+                    setting.ask(answers);
+                    const std::size_t before = allocations;
+                    setting.ask(answers);
+                    EXPECT_EQ(allocations - before, 0U) << "robot of FCL's node type " << robot->getNodeType();
+                }
             }
         }
     }  // namespace
