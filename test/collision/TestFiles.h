@@ -63,7 +63,7 @@ namespace ompl_mfa::collision
         }
         catch (const InputError &error)
         {
-            const std::string message = error.what();
+            std::string message = error.what();
             EXPECT_EQ(message.find('\n'), std::string::npos) << message;
             return message;
         }

@@ -176,7 +176,7 @@ namespace ompl_mfa
 
         ob::OptimizationObjectivePtr weightedSum(const ob::SpaceInformationPtr &si)
         {
-            const auto sum = std::make_shared<ob::MultiOptimizationObjective>(si);
+            auto sum = std::make_shared<ob::MultiOptimizationObjective>(si);
             sum->addObjective(std::make_shared<ob::PathLengthOptimizationObjective>(si), 2.0);
             sum->addObjective(std::make_shared<HeightIntegral>(si), 0.5);
             sum->lock();

@@ -156,7 +156,7 @@ namespace ompl_mfa
                     return std::make_shared<test::DistanceGoal>(si_, first,
                                                                 0.05 * si_->getStateSpace()->getMaximumExtent());
                 }
-                const auto goals = std::make_shared<ob::GoalStates>(si_);
+                auto goals = std::make_shared<ob::GoalStates>(si_);
                 goals->addState(first);
                 if (number_ % 7 == 5)
                     goals->addState(second);

@@ -66,7 +66,7 @@ namespace ompl_mfa
             {
                 ompl::RNG rng(100 + number);
                 const StateChart chart(space_);
-                const auto pdef = std::make_shared<ob::ProblemDefinition>(si_);
+                auto pdef = std::make_shared<ob::ProblemDefinition>(si_);
                 ob::ScopedState<> start(space_);
                 ob::ScopedState<> goal(space_);
                 chart.sampleUniform(rng, start.get());

@@ -16,7 +16,8 @@ namespace ompl_mfa::collision
         above.
 
         A primitive gives one convex polygon (round outlines have up to 128 corners, all of them on the curve), a mesh
-        one polygon or segment a triangle, an occupancy map one square an occupied cell. Nothing comes back for an obstacle outside the slab.
+        one polygon or segment a triangle, an occupancy map one square an occupied cell. Nothing comes back for an
+        obstacle outside the slab.
         \throw std::invalid_argument where zMin > zMax. */
     std::vector<Polygon> planarOutline(const CollisionObject &object, double zMin = 0., double zMax = 0.);
 }  // namespace ompl_mfa::collision
