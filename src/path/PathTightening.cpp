@@ -16,6 +16,12 @@ namespace ompl_mfa
         constexpr double IDLE_GAIN = 1e-5;
         constexpr unsigned int IDLE_ROUNDS = 4;
         constexpr unsigned int IDLE_ROUNDS_A_DIMENSION = 2;
+        /* Steps of all kinds in a round for each vertex that can move. */
+        constexpr std::size_t STEPS_A_VERTEX = 6;
+        /* What a step still counts for in the payoff of its kind after another one. */
+        constexpr double PAYOFF_MEMORY = 0.95;
+        /* Share of the steps that each kind has at the least. */
+        constexpr double PAYOFF_FLOOR = 0.08;
         /* First random step of a vertex, in parts of the distance to the nearer neighbour. */
         constexpr double FIRST_STEP = 0.25;
         /* Random steps are tried on cost this often before one is checked for validity. */
@@ -48,6 +54,7 @@ namespace ompl_mfa
             steps_.push_back(firstStep(i));
         converged_ = path_.size() < 2;
         idleRounds_ = 0;
+        payoffs_ = {};
     }
 
     bool PathTightening::advance(std::uint64_t work)
@@ -59,6 +66,7 @@ namespace ompl_mfa
         ob::Cost before = first;
         while (path_.size() > 2 && evaluator_.work() < workLimit_ && !evaluator_.interrupted())
         {
+            total_ = before.value();
             round();
             const ob::Cost after = cost();
             const bool idle = !(std::abs(before.value() - after.value()) > IDLE_GAIN * std::abs(after.value()));
@@ -75,21 +83,58 @@ namespace ompl_mfa
         return evaluator_.objective()->isCostBetterThan(before, first);
     }
 
+    /* Which step pays depends on the world and on how far the path has come: each is tried as often as it gained for
+       its work of late, and now and then for the sake of change. */
     void PathTightening::round()
     {
         // candidates that fail on cost alone never come to a motion check, which would ask
         const auto exhausted = [this] { return evaluator_.work() >= workLimit_ || evaluator_.stopped(); };
         removeVertices();
-        const std::size_t shortcuts = path_.size() > 2 ? 2 + path_.size() / 2 : 0;
-        for (std::size_t k = 0; k < shortcuts && !exhausted(); ++k)
-            shortcut();
-        for (std::size_t i = 1; i + 1 < path_.size() && !exhausted(); ++i)
+        const std::size_t steps = path_.size() > 2 ? STEPS_A_VERTEX * (path_.size() - 2) : 0;
+        for (std::size_t k = 0; k < steps && path_.size() > 2 && !exhausted(); ++k)
         {
-            if (pull(i))
-                pull(i);
-            for (Eigen::Index k = 0; k < std::min<Eigen::Index>(chart_->dimension(), 4); ++k)
-                pullPart(i);
-            perturb(i);
+            const StepKind kind = chooseStep();
+            const std::uint64_t work = evaluator_.work();
+            const bool success = makeStep(kind, 1 + k % (path_.size() - 2));
+            Payoff &payoff = payoffs_[kind];
+            payoff.gain *= PAYOFF_MEMORY;
+            payoff.work = PAYOFF_MEMORY * payoff.work + static_cast<double>(evaluator_.work() - work + 1);
+            if (!success)
+                continue;
+            const double now = cost().value();
+            payoff.gain += std::abs(total_ - now);
+            total_ = now;
+        }
+    }
+
+    PathTightening::StepKind PathTightening::chooseStep()
+    {
+        double sum = 0.0;
+        for (const Payoff &payoff : payoffs_)
+            sum += payoff.rate();
+        double draw = rng_.uniform01();
+        for (std::size_t k = 0; k + 1 < STEP_KINDS; ++k)
+        {
+            const double part = sum > 0.0 ? payoffs_[k].rate() / sum : 1.0 / STEP_KINDS;
+            draw -= PAYOFF_FLOOR + (1.0 - STEP_KINDS * PAYOFF_FLOOR) * part;
+            if (draw < 0.0)
+                return static_cast<StepKind>(k);
+        }
+        return static_cast<StepKind>(STEP_KINDS - 1);
+    }
+
+    bool PathTightening::makeStep(StepKind kind, std::size_t i)
+    {
+        switch (kind)
+        {
+            case SHORTCUT:
+                return shortcut();
+            case PULL:
+                return pull(i);
+            case PULL_PART:
+                return pullPart(i);
+            default:
+                return perturb(i);
         }
     }
 

@@ -22,6 +22,20 @@ namespace ompl_mfa
                 Eigen::MatrixXd::Identity(n, n) - (2.0 / v.squaredNorm()) * v * v.transpose();
             return reflection.rightCols(n - 1);
         }
+
+        /* Turns a basis of the complement of the unit vector from into one of that of to, by the smallest rotation that
+           takes one vector to the other: the bases of neighbouring slices belong together, so that equal coordinates
+           on them make a smooth path. */
+        Eigen::MatrixXd turnedBasis(const Eigen::MatrixXd &basis, const Eigen::VectorXd &from,
+                                    const Eigen::VectorXd &to)
+        {
+            const double denominator = 1.0 + from.dot(to);
+            if (denominator < 1e-6)
+                return lateralBasis(to);
+            const Eigen::VectorXd sum = from + to;
+            // the basis has no part along from
+            return basis - sum * (to.transpose() * basis) / denominator;
+        }
     }  // namespace
 
     SliceFrame SliceFrame::straight(const StateChartPtr &chart, const ob::State *start, const ob::State *goal,
@@ -68,7 +82,9 @@ namespace ompl_mfa
         if (length > 1e-9)
         {
             slice.along = delta.head(n) / length;
-            slice.basis = lateralBasis(slice.along);
+            const bool turns = !slices_.empty() && !slices_.back().along.isZero();
+            slice.basis = turns ? turnedBasis(slices_.back().basis, slices_.back().along, slice.along)
+                                : lateralBasis(slice.along);
         }
         slice.dimension = slice.basis.cols() + chart_->rotationDimension();
         return slice;

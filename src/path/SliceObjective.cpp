@@ -6,11 +6,14 @@
 
 namespace ompl_mfa
 {
-    SliceObjective::SliceObjective(const SliceFrame &frame, PathEvaluator &evaluator, ValidPathEvent validPath)
+    SliceObjective::SliceObjective(const SliceFrame &frame, const SliceModes *modes, PathEvaluator &evaluator,
+                                   ValidPathEvent validPath)
       : frame_(frame)
+      , modes_(modes)
       , evaluator_(evaluator)
       , validPath_(std::move(validPath))
       , path_(frame.chart()->space())
+      , coordinates_(frame.dimension())
       , bound_(std::numeric_limits<double>::infinity())
       , beyondBound_(frame.chart()->space()->getMaximumExtent() * static_cast<double>(frame.slices() + 1))
     {
@@ -23,7 +26,13 @@ namespace ompl_mfa
 
     Brightness SliceObjective::evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival)
     {
-        frame_.toWaypoints(x, path_);
+        if (modes_ != nullptr)
+        {
+            modes_->toCoordinates(x, coordinates_);
+            frame_.toWaypoints(coordinates_, path_);
+        }
+        else
+            frame_.toWaypoints(x, path_);
         if (std::isfinite(bound_))
         {
             const ompl::base::Cost cost = evaluator_.cost(path_);

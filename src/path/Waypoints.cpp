@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <ompl/geometric/PathGeometric.h>
-
 namespace ompl_mfa
 {
     Waypoints::Waypoints(ompl::base::StateSpacePtr space)
@@ -52,10 +50,12 @@ namespace ompl_mfa
         return {states_.begin(), states_.begin() + static_cast<std::ptrdiff_t>(size_)};
     }
 
-    void Waypoints::appendTo(ompl::geometric::PathGeometric &path) const
+    double Waypoints::length() const
     {
-        for (std::size_t i = 0; i < size_; ++i)
-            path.append(states_[i]);
+        double sum = 0.0;
+        for (std::size_t i = 1; i < size_; ++i)
+            sum += space_->distance(states_[i - 1], states_[i]);
+        return sum;
     }
 
     void Waypoints::resize(std::size_t size)

@@ -18,7 +18,9 @@ namespace ompl_mfa
     {
         /* Bounds of a turn, in units of PathEvaluator::work(). */
         constexpr std::uint64_t SHORTEST_TURN = 400;
-        constexpr std::uint64_t LONGEST_TURN = 40000;
+        constexpr std::uint64_t LONGEST_TURN = 8000;
+        /* The same for the roadmap, each of whose searches begins with a pass over all of it. */
+        constexpr std::uint64_t LONGEST_ROADMAP_TURN = 40000;
         /* Random detours that have to keep to the objective's bounds before a path that meets them ends the search. */
         constexpr unsigned int PROBES = 64;
 
@@ -33,6 +35,7 @@ namespace ompl_mfa
 
     MFA::MFA(const ob::SpaceInformationPtr &si)
       : ob::Planner(si, "MFA")
+      , firefly_(si->getStateSpace())
       , untaken_(si->getStateSpace())
     {
         specs_.recognizedGoal = ob::GOAL_REGION;
@@ -192,7 +195,8 @@ namespace ompl_mfa
         const bool hadPath = incumbent_->hasPath();
         const double cost = incumbent_->cost();
         // turns grow with the work done, so that no part spends its time beginning
-        takeTurn(static_cast<Part>(part), std::clamp(before / 20, SHORTEST_TURN, LONGEST_TURN));
+        takeTurn(static_cast<Part>(part),
+                 std::clamp(before / 20, SHORTEST_TURN, part == ROADMAP ? LONGEST_ROADMAP_TURN : LONGEST_TURN));
         double gain = 0.0;
         if (hadPath)
             gain = std::abs(cost - incumbent_->cost()) / std::max(std::abs(cost), 1e-12);
@@ -219,15 +223,17 @@ namespace ompl_mfa
     void MFA::publish()
     {
         const ob::Cost cost(incumbent_->cost());
+        const auto states = incumbent_->path().pointers();
         auto path = std::make_shared<og::PathGeometric>(si_);
-        incumbent_->path().appendTo(*path);
+        for (const ob::State *state : states)
+            path->append(state);
         ob::PlannerSolution solution(path);
         solution.setPlannerName(getName());
         solution.setOptimized(objective_, cost, objective_->isSatisfied(cost));
         pdef_->addSolutionPath(solution);
         published_ = true;
         if (const auto &callback = pdef_->getIntermediateSolutionCallback())
-            callback(this, incumbent_->path().pointers(), cost);
+            callback(this, states, cost);
     }
 
     void MFA::offerPartial(const Waypoints &path, std::size_t motion, const ob::State *lastValid)
@@ -254,7 +260,8 @@ namespace ompl_mfa
         if (incumbent_->partialPath().size() < 2)
             return ob::PlannerStatus::TIMEOUT;
         auto path = std::make_shared<og::PathGeometric>(si_);
-        incumbent_->partialPath().appendTo(*path);
+        for (const ob::State *state : incumbent_->partialPath().pointers())
+            path->append(state);
         ob::PlannerSolution solution(path);
         solution.setPlannerName(getName());
         solution.setApproximate(incumbent_->partialDistance());

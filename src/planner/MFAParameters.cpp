@@ -52,20 +52,16 @@ namespace ompl_mfa
         declare("seed", &MFA::setSeed, &MFA::getSeed, "0:1:4294967295");
     }
 
-    template <typename T>
-    void MFA::setSwarm(T FireflyOptimizer::Settings::*setting, T value)
-    {
-        auto settings = settings_;
-        settings.*setting = value;
-        settings_ = validated(settings);
-    }
-
     void MFA::setVariant(const std::string &variant)
     {
-        if (variant != "mfa" && variant != "fa")
+        auto settings = settings_;
+        if (variant == "mfa")
+            settings.variant = FireflyOptimizer::Variant::MFA;
+        else if (variant == "fa")
+            settings.variant = FireflyOptimizer::Variant::FA;
+        else
             throw ompl::Exception("MFA", "variant = '" + variant + "': accepted are mfa and fa");
-        setSwarm(&FireflyOptimizer::Settings::variant,
-                 variant == "mfa" ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA);
+        settings_ = validated(settings);
     }
 
     std::string MFA::getVariant() const
@@ -113,7 +109,9 @@ namespace ompl_mfa
 
     void MFA::setGenerations(unsigned int generations)
     {
-        setSwarm(&FireflyOptimizer::Settings::generations, generations);
+        auto settings = settings_;
+        settings.generations = generations;
+        settings_ = validated(settings);
     }
 
     unsigned int MFA::getGenerations() const
@@ -123,7 +121,9 @@ namespace ompl_mfa
 
     void MFA::setGamma(double gamma)
     {
-        setSwarm(&FireflyOptimizer::Settings::gamma, gamma);
+        auto settings = settings_;
+        settings.gamma = gamma;
+        settings_ = validated(settings);
     }
 
     double MFA::getGamma() const
@@ -133,7 +133,9 @@ namespace ompl_mfa
 
     void MFA::setAlpha(double alpha)
     {
-        setSwarm(&FireflyOptimizer::Settings::alpha, alpha);
+        auto settings = settings_;
+        settings.alpha = alpha;
+        settings_ = validated(settings);
     }
 
     double MFA::getAlpha() const
@@ -143,7 +145,9 @@ namespace ompl_mfa
 
     void MFA::setEta(double eta)
     {
-        setSwarm(&FireflyOptimizer::Settings::eta, eta);
+        auto settings = settings_;
+        settings.eta = eta;
+        settings_ = validated(settings);
     }
 
     double MFA::getEta() const

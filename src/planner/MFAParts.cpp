@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ompl_mfa/path/PathDeformation.h"
 #include "ompl_mfa/planner/MFA.h"
 
 namespace ob = ompl::base;
@@ -34,18 +35,12 @@ namespace ompl_mfa
            the path once. */
         constexpr unsigned int TIGHTENING_ROUNDS = 8;
         constexpr std::uint64_t TIGHTENING_FACTOR = 3;
+        /* Motions between a firefly and the best path that tell whether they are of one homotopy class. */
+        constexpr unsigned int RUNGS = 7;
         /* A new path is given up once so many more rounds like the last would not make it the best. */
         constexpr double PATIENCE = 4.0;
         /* Work of the guides before fireflies and recombination begin, where there is no path yet. */
         constexpr std::uint64_t FIRST_GUIDES = 50000;
-
-        double length(const Waypoints &path)
-        {
-            double sum = 0.0;
-            for (std::size_t i = 1; i < path.size(); ++i)
-                sum += path.space()->distance(path[i - 1], path[i]);
-            return sum;
-        }
     }  // namespace
 
     void MFA::prepareParts()
@@ -101,6 +96,7 @@ namespace ompl_mfa
         newTightening_.reset();
         tighteningStale_ = false;
         untaken_.clear();
+        firefly_.clear();
     }
 
     std::vector<bool> MFA::availableParts() const
@@ -162,16 +158,36 @@ namespace ompl_mfa
         SliceFrame frame = SliceFrame::straight(chart_, start, goal, slices_ + 1);
         if (frame.dimension() == 0)
             return;
-        swarms_.push_back(std::make_unique<Swarm>(
-            std::move(frame), *evaluator_, swarmSettings(), runSeed_ + 1000 * (swarms_.size() + 1),
-            [this](const Waypoints &valid, const Brightness &bright) { offer(valid, bright.cost); }));
+        swarms_.push_back(makeSwarm(std::move(frame), runSeed_ + 1000 * (swarms_.size() + 1)));
+    }
+
+    /* The paper's fireflies are points on the slices, those of the whole engine smooth paths. */
+    std::unique_ptr<Swarm> MFA::makeSwarm(SliceFrame frame, std::uint64_t seed)
+    {
+        const bool paper = !useTightening_ && !useRecombination_ && !useTrees_ && !useRoadmap_;
+        return std::make_unique<Swarm>(
+            std::move(frame), paper ? Swarm::Coordinates::Offsets : Swarm::Coordinates::Modes, *evaluator_,
+            swarmSettings(), seed,
+            [this](const Waypoints &valid, const Brightness &brightness) { takeFirefly(valid, brightness.cost); });
+    }
+
+    /* A valid firefly is compared with the best path at once; the best of a turn that is none yet may become so. */
+    void MFA::takeFirefly(const Waypoints &path, double cost)
+    {
+        offer(path, cost);
+        const bool fresh = objective_->isCostBetterThan(ob::Cost(incumbent_->cost()), ob::Cost(cost));
+        if (!useTightening_ || !fresh ||
+            (!firefly_.empty() && !objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(fireflyCost_))))
+            return;
+        firefly_ = path;
+        fireflyCost_ = cost;
     }
 
     /* An axis through the vertices of a path, with vertices more where its motions are long. */
     Waypoints MFA::curvedAxis(const Waypoints &path) const
     {
         Waypoints axis(si_->getStateSpace());
-        const double spacing = length(path) / (slices_ + 1);
+        const double spacing = path.length() / (slices_ + 1);
         axis.append(path.front());
         for (std::size_t i = 1; i < path.size(); ++i)
         {
@@ -198,16 +214,14 @@ namespace ompl_mfa
         if (!curvedSwarm_ || incumbent_->cost() == curvedCost_)
             reach_ = reach_ > NARROWEST_REACH ? 0.5 * reach_ : WIDEST_REACH;
         Waypoints axis = curvedAxis(path);
-        SliceFrame frame(chart_, std::move(axis), reach_ * length(path));
+        SliceFrame frame(chart_, std::move(axis), reach_ * path.length());
         activeSwarm_ = nullptr;
         curvedSwarm_.reset();
         curvedCost_ = incumbent_->cost();
         if (frame.dimension() == 0)
             return;
         const Waypoints origins = frame.axis();
-        curvedSwarm_ = std::make_unique<Swarm>(
-            std::move(frame), *evaluator_, swarmSettings(), runSeed_ + 7 * iterations_ + 17,
-            [this](const Waypoints &valid, const Brightness &bright) { offer(valid, bright.cost); });
+        curvedSwarm_ = makeSwarm(std::move(frame), runSeed_ + 7 * iterations_ + 17);
         curvedSwarm_->inject(origins);
         ++nextAxis_;
     }
@@ -250,11 +264,16 @@ namespace ompl_mfa
                 ++evaluations_;
                 return false;
             });
-        if (!completed)
-            return;
-        if (activeSwarm_->fireflies().generation() > 0)
-            ++iterations_;
-        chooseSwarm();
+        if (completed)
+        {
+            if (activeSwarm_->fireflies().generation() > 0)
+                ++iterations_;
+            chooseSwarm();
+        }
+        // one that can be deformed into the best path would only be tightened to that
+        if (!firefly_.empty() && !seemDeformable(*evaluator_, firefly_, incumbent_->path(), RUNGS))
+            offerTightened(firefly_);
+        firefly_.clear();
     }
 
     void MFA::recombine(std::uint64_t work)

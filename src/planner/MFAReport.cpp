@@ -63,7 +63,7 @@ namespace ompl_mfa
             for (const unsigned int i : fireflies.order())
             {
                 plannerDataPaths_.emplace_back(si_->getStateSpace());
-                swarm->frame().toWaypoints(fireflies.population().col(i), plannerDataPaths_.back());
+                swarm->pathOf(i, plannerDataPaths_.back());
                 checked.push_back(fireflies.brightness(i).isFeasible());
             }
         }
@@ -98,9 +98,10 @@ namespace ompl_mfa
         Waypoints waypoints(si_->getStateSpace());
         for (const unsigned int i : swarm.fireflies().order())
         {
-            swarm.frame().toWaypoints(swarm.fireflies().population().col(i), waypoints);
+            swarm.pathOf(i, waypoints);
             paths.emplace_back(si_);
-            waypoints.appendTo(paths.back());
+            for (const ob::State *state : waypoints.pointers())
+                paths.back().append(state);
         }
         return paths;
     }

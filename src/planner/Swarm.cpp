@@ -12,23 +12,53 @@ namespace ompl_mfa
         constexpr std::size_t FRESH_CANDIDATES = 16;
     }  // namespace
 
-    Swarm::Swarm(SliceFrame frame, PathEvaluator &evaluator, const FireflyOptimizer::Settings &settings,
-                 std::uint64_t seed, SliceObjective::ValidPathEvent validPath)
+    Swarm::Swarm(SliceFrame frame, Coordinates coordinates, PathEvaluator &evaluator,
+                 const FireflyOptimizer::Settings &settings, std::uint64_t seed,
+                 SliceObjective::ValidPathEvent validPath)
       : frame_(std::move(frame))
-      , objective_(frame_, evaluator, std::move(validPath))
+      , modes_(coordinates == Coordinates::Modes && SliceModes::exist(frame_) ? std::make_unique<SliceModes>(frame_)
+                                                                              : nullptr)
+      , objective_(frame_, modes_.get(), evaluator, std::move(validPath))
       , graph_(frame_, evaluator)
       , random_(seed + 1)
       , point_(frame_.chart()->space())
       , coordinates_(frame_.dimension())
       , seed_(seed)
-      , fireflies_(std::make_unique<FireflyOptimizer>(settings, frame_.lower(), frame_.upper(), seed))
+      , fireflies_(makeFireflies(settings, seed))
     {
+    }
+
+    std::unique_ptr<FireflyOptimizer> Swarm::makeFireflies(const FireflyOptimizer::Settings &settings,
+                                                           std::uint64_t seed) const
+    {
+        return modes_ ? std::make_unique<FireflyOptimizer>(settings, modes_->lower(), modes_->upper(), seed)
+                      : std::make_unique<FireflyOptimizer>(settings, frame_.lower(), frame_.upper(), seed);
+    }
+
+    /* Leaves the coordinates of a firefly's path in coordinates_. */
+    void Swarm::offsetsOf(Eigen::Index i) const
+    {
+        if (modes_)
+            modes_->toCoordinates(fireflies_->population().col(i), coordinates_);
+        else
+            coordinates_ = fireflies_->population().col(i);
+    }
+
+    void Swarm::pathOf(Eigen::Index i, Waypoints &path) const
+    {
+        offsetsOf(i);
+        frame_.toWaypoints(coordinates_, path);
     }
 
     void Swarm::inject(const Waypoints &path)
     {
         Eigen::VectorXd x(frame_.dimension());
         frame_.toCoordinates(path, x);
+        if (modes_)
+        {
+            coordinates_ = x;
+            modes_->toAmplitudes(coordinates_, x);
+        }
         fireflies_->inject(x);
     }
 
@@ -36,7 +66,7 @@ namespace ompl_mfa
     {
         const FireflyOptimizer &old = *fireflies_;
         ++epoch_;
-        auto fresh = std::make_unique<FireflyOptimizer>(old.settings(), frame_.lower(), frame_.upper(), seed_ + epoch_);
+        auto fresh = makeFireflies(old.settings(), seed_ + epoch_);
         fresh->inject(old.best());
         const std::size_t elites = old.order().size() / 5;
         for (std::size_t i = 1; i < elites; ++i)
@@ -51,13 +81,17 @@ namespace ompl_mfa
         point_.resize(1);
         const auto &order = fireflies_->order();
         const std::size_t count = std::min(FIREFLY_CANDIDATES, order.size());
-        for (std::size_t k = 0; k < frame_.slices(); ++k)
+        for (std::size_t i = 0; i < count; ++i)
         {
-            for (std::size_t i = 0; i < count; ++i)
+            offsetsOf(order[i]);
+            for (std::size_t k = 0; k < frame_.slices(); ++k)
             {
-                frame_.toState(k, fireflies_->population().col(order[i]), point_[0]);
+                frame_.toState(k, coordinates_, point_[0]);
                 graph_.addCandidate(k, point_[0]);
             }
+        }
+        for (std::size_t k = 0; k < frame_.slices(); ++k)
+        {
             const auto [first, coordinates] = frame_.sliceRange(k);
             for (std::size_t i = 0; i < FRESH_CANDIDATES; ++i)
             {

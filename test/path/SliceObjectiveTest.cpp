@@ -53,7 +53,7 @@ namespace ompl_mfa
             PathEvaluator evaluator_{problem_.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
             SliceFrame frame_;
             std::vector<double> valid_;
-            SliceObjective objective_{frame_, evaluator_,
+            SliceObjective objective_{frame_, nullptr, evaluator_,
                                       [this](const Waypoints &path, const Brightness &brightness)
                                       {
                                           EXPECT_EQ(path.size(), 3U);
@@ -84,7 +84,7 @@ namespace ompl_mfa
         {
             EXPECT_TRUE(objective_.isBrighter({0.0, 1.0}, {0.0, 2.0}));
             PathEvaluator clearance(problem_.si, std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si));
-            const SliceObjective wide(frame_, clearance, {});
+            const SliceObjective wide(frame_, nullptr, clearance, {});
             EXPECT_TRUE(wide.isBrighter({0.0, 2.0}, {0.0, 1.0}));
         }
     }  // namespace

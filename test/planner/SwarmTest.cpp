@@ -28,9 +28,13 @@ namespace ompl_mfa
                                             problem_->state({1.0, 1.0}).get(), problem_->state({9.0, 1.0}).get(), 4);
             }
 
-            Swarm makeSwarm(std::uint64_t seed)
+            Swarm makeSwarm(std::uint64_t seed, Swarm::Coordinates coordinates = Swarm::Coordinates::Offsets)
             {
-                return {frame(), evaluator_, settings_, seed,
+                return {frame(),
+                        coordinates,
+                        evaluator_,
+                        settings_,
+                        seed,
                         [this](const Waypoints &, const Brightness &brightness) { costs_.push_back(brightness.cost); }};
             }
 
@@ -96,6 +100,25 @@ namespace ompl_mfa
             };
             EXPECT_EQ(population(3), population(3));
             EXPECT_NE(population(3), population(4));
+        }
+
+        TEST_F(SwarmTest, FirefliesInModesAreSmoothPathsOverTheSameSlices)
+        {
+            const auto meanLength = [this](Swarm::Coordinates coordinates)
+            {
+                Swarm swarm = makeSwarm(3, coordinates);
+                swarm.step(never);
+                Waypoints path(problem_->si->getStateSpace());
+                double sum = 0.0;
+                for (Eigen::Index i = 0; i < swarm.fireflies().population().cols(); ++i)
+                {
+                    swarm.pathOf(i, path);
+                    EXPECT_EQ(path.size(), swarm.frame().slices() + 2);
+                    sum += path.length();
+                }
+                return sum / static_cast<double>(swarm.fireflies().population().cols());
+            };
+            EXPECT_LT(meanLength(Swarm::Coordinates::Modes), 0.9 * meanLength(Swarm::Coordinates::Offsets));
         }
 
         TEST_F(SwarmTest, StopsBeforeAnyEvaluation)

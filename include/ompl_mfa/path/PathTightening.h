@@ -1,6 +1,7 @@
 #ifndef OMPL_MFA_PATH_PATH_TIGHTENING_
 #define OMPL_MFA_PATH_PATH_TIGHTENING_
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -69,8 +70,31 @@ namespace ompl_mfa
             Eigen::VectorXd normal{};  ///< direction that is left out, or zero
         };
 
+        /* The kinds of steps; also their numbers in payoffs_. */
+        enum StepKind : std::size_t
+        {
+            SHORTCUT,
+            PULL,
+            PULL_PART,
+            PERTURB,
+            STEP_KINDS
+        };
+
+        struct Payoff
+        {
+            double gain{0.0};
+            double work{0.0};
+
+            double rate() const
+            {
+                return work > 0.0 ? gain / work : 0.0;
+            }
+        };
+
         Step firstStep(std::size_t i) const;
         void round();
+        StepKind chooseStep();
+        bool makeStep(StepKind kind, std::size_t i);
         bool shortcut();
         void removeVertices();
         bool remove(std::size_t i);
@@ -95,6 +119,8 @@ namespace ompl_mfa
         ompl::RNG rng_;
         Waypoints path_;
         std::vector<ompl::base::Cost> costs_;  ///< of the motions of path_, as many as were computed yet
+        double total_{0.0};                    ///< cost of path_ in a round
+        std::array<Payoff, STEP_KINDS> payoffs_{};
         std::vector<Step> steps_;
         ompl::base::State *a_;
         ompl::base::State *b_;

@@ -7,11 +7,6 @@
 #include <ompl/base/State.h>
 #include <ompl/base/StateSpace.h>
 
-namespace ompl::geometric
-{
-    class PathGeometric;
-}
-
 namespace ompl_mfa
 {
     /** \brief A sequence of states of one space that owns its states and reuses their memory when it changes length.
@@ -63,11 +58,11 @@ namespace ompl_mfa
             return space_;
         }
 
+        /** \brief The sum of the distances from state to state. */
+        double length() const;
+
         /** \brief The states as OMPL's callbacks take them; valid until the next change. */
         std::vector<const ompl::base::State *> pointers() const;
-
-        /** \brief Appends copies of the states to \e path, which is of the same space. */
-        void appendTo(ompl::geometric::PathGeometric &path) const;
 
         void clear()
         {

@@ -113,8 +113,6 @@ namespace ompl_mfa
         };
 
         void declareParameters();
-        template <typename T>
-        void setSwarm(T FireflyOptimizer::Settings::*setting, T value);
         FireflyOptimizer::Settings swarmSettings() const;
         ompl::base::PlannerStatus::StatusType begin(const ompl::base::PlannerTerminationCondition &ptc);
         void prepareQuery();
@@ -130,6 +128,8 @@ namespace ompl_mfa
         void takeTurn(Part part, std::uint64_t work);
         void tryStraightMotions();
         void tryStraightMotion(const ompl::base::State *start, const ompl::base::State *goal);
+        std::unique_ptr<Swarm> makeSwarm(SliceFrame frame, std::uint64_t seed);
+        void takeFirefly(const Waypoints &path, double cost);
         void chooseSwarm();
         void layCurvedFrame();
         Waypoints curvedAxis(const Waypoints &path) const;
@@ -167,6 +167,8 @@ namespace ompl_mfa
         TurnSharing sharing_;
         std::vector<double> spent_;  ///< by each part: seconds, or work units in a seeded run
 
+        Waypoints firefly_;  ///< the best of this turn's valid fireflies that are worse than the best path
+        double fireflyCost_{0.0};
         Waypoints untaken_;           ///< a path of which the stop condition left the cost unknown
         unsigned int probes_{0};      ///< detours held against the objective's bounds
         std::size_t triedStarts_{0};  ///< starts whose straight motions to all goals were tried

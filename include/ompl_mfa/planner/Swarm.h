@@ -8,6 +8,7 @@
 #include "ompl_mfa/optimizer/RandomSource.h"
 #include "ompl_mfa/path/SliceFrame.h"
 #include "ompl_mfa/path/SliceGraph.h"
+#include "ompl_mfa/path/SliceModes.h"
 #include "ompl_mfa/path/SliceObjective.h"
 
 namespace ompl_mfa
@@ -16,9 +17,17 @@ namespace ompl_mfa
     class Swarm
     {
     public:
+        /** \brief What a firefly's coordinates are: an offset on each slice, as in the paper, or the amplitudes of
+            SliceModes (offsets where the frame has no modes). */
+        enum class Coordinates
+        {
+            Offsets,
+            Modes
+        };
+
         /** \brief \e frame has at least one coordinate; \e evaluator outlives the swarm. */
-        Swarm(SliceFrame frame, PathEvaluator &evaluator, const FireflyOptimizer::Settings &settings,
-              std::uint64_t seed, SliceObjective::ValidPathEvent validPath);
+        Swarm(SliceFrame frame, Coordinates coordinates, PathEvaluator &evaluator,
+              const FireflyOptimizer::Settings &settings, std::uint64_t seed, SliceObjective::ValidPathEvent validPath);
         Swarm(const Swarm &) = delete;
         Swarm &operator=(const Swarm &) = delete;
 
@@ -31,6 +40,9 @@ namespace ompl_mfa
         {
             objective_.setBound(bound);
         }
+
+        /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. */
+        void pathOf(Eigen::Index i, Waypoints &path) const;
 
         /** \brief One generation, as FireflyOptimizer::step. After the last generation of an epoch the next begins
             with the brightest fifth of the old swarm among new random fireflies. */
@@ -65,13 +77,17 @@ namespace ompl_mfa
 
     private:
         void beginEpoch();
+        std::unique_ptr<FireflyOptimizer> makeFireflies(const FireflyOptimizer::Settings &settings,
+                                                        std::uint64_t seed) const;
+        void offsetsOf(Eigen::Index i) const;
 
         SliceFrame frame_;
+        std::unique_ptr<SliceModes> modes_;
         SliceObjective objective_;
         SliceGraph graph_;
         RandomSource random_;
         Waypoints point_;
-        Eigen::VectorXd coordinates_;
+        mutable Eigen::VectorXd coordinates_;  ///< of the frame
         std::uint64_t seed_;
         std::unique_ptr<FireflyOptimizer> fireflies_;
         unsigned int epoch_{0};

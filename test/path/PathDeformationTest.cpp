@@ -1,0 +1,67 @@
+#include "ompl_mfa/path/PathDeformation.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+
+#include "path/CountingProblem.h"
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* The plane [-10, 10]^2 with a disc of radius 2 in its middle. */
+        class PathDeformationTest : public ::testing::Test
+        {
+        protected:
+            static bool outsideDisc(const ob::State *state)
+            {
+                const double *x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                return x[0] * x[0] + x[1] * x[1] > 4.0;
+            }
+
+            Waypoints path(const std::vector<std::pair<double, double>> &points) const
+            {
+                Waypoints result(space_);
+                ob::ScopedState<> state(space_);
+                for (const auto &[x, y] : points)
+                {
+                    state[0] = x;
+                    state[1] = y;
+                    result.append(state.get());
+                }
+                return result;
+            }
+
+            ob::StateSpacePtr space_ = test::realVectorSpace(2);
+            test::CountingProblem problem_{space_, outsideDisc};
+            PathEvaluator evaluator_{problem_.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
+        };
+
+        TEST_F(PathDeformationTest, PathsOnTheSameSideAreOfOneClass)
+        {
+            EXPECT_TRUE(seemDeformable(evaluator_, path({{-8, 0}, {0, 4}, {8, 0}}),
+                                       path({{-8, 0}, {-4, 6}, {4, 6}, {8, 0}}), 7));
+        }
+
+        TEST_F(PathDeformationTest, PathsOnEitherSideAreNot)
+        {
+            EXPECT_FALSE(
+                seemDeformable(evaluator_, path({{-8, 0}, {0, 4}, {8, 0}}), path({{-8, 0}, {0, -4}, {8, 0}}), 7));
+        }
+
+        TEST_F(PathDeformationTest, APathIsOfItsOwnClassWhateverItsVertices)
+        {
+            const Waypoints few = path({{-8, 0}, {0, 4}, {8, 0}});
+            EXPECT_TRUE(seemDeformable(evaluator_, few, few, 9));
+            EXPECT_TRUE(seemDeformable(evaluator_, few, path({{-8, 0}, {-8, 0}, {-4, 2}, {0, 4}, {8, 0}}), 9));
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,86 @@
+#include "ompl_mfa/path/SliceModes.h"
+
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Across the cube [-10, 10]^3 from (-8, 0, 0) to (8, 0, 0). */
+        SliceFrame cubeFrame(unsigned int segments)
+        {
+            const ob::StateSpacePtr space = test::realVectorSpace(3);
+            ob::ScopedState<> start(space);
+            ob::ScopedState<> goal(space);
+            start = std::vector<double>{-8.0, 0.0, 0.0};
+            goal = std::vector<double>{8.0, 0.0, 0.0};
+            return SliceFrame::straight(std::make_shared<const StateChart>(space), start.get(), goal.get(), segments);
+        }
+
+        TEST(SliceModesTest, TheFirstModeIsHalfASineWave)
+        {
+            const SliceFrame frame = cubeFrame(8);
+            const SliceModes modes(frame);
+            Eigen::VectorXd amplitudes = Eigen::VectorXd::Zero(frame.dimension());
+            Eigen::VectorXd x(frame.dimension());
+            amplitudes[0] = modes.upper()[0];
+            modes.toCoordinates(amplitudes, x);
+            for (std::size_t k = 0; k < frame.slices(); ++k)
+            {
+                const Eigen::Index first = frame.sliceRange(k).first;
+                EXPECT_NEAR(x[first], 10.0 * std::sin(std::acos(-1.0) * static_cast<double>(k + 1) / 8.0), 1e-9);
+                EXPECT_NEAR(x[first + 1], 0.0, 1e-9);
+            }
+        }
+
+        TEST(SliceModesTest, HigherModesAreLower)
+        {
+            const SliceFrame frame = cubeFrame(8);
+            const SliceModes modes(frame);
+            for (Eigen::Index k = 0; k < 7; ++k)
+            {
+                EXPECT_NEAR(modes.upper()[2 * k], modes.upper()[0] / static_cast<double>(k + 1), 1e-12);
+                EXPECT_EQ(modes.lower()[2 * k], -modes.upper()[2 * k]);
+            }
+        }
+
+        TEST(SliceModesTest, AmplitudesAndCoordinatesAreInverse)
+        {
+            const SliceFrame frame = cubeFrame(12);
+            const SliceModes modes(frame);
+            const Eigen::VectorXd x = 0.5 * Eigen::VectorXd::Random(frame.dimension()).cwiseProduct(frame.upper());
+            Eigen::VectorXd amplitudes(frame.dimension());
+            Eigen::VectorXd again(frame.dimension());
+            modes.toAmplitudes(x, amplitudes);
+            EXPECT_NEAR(amplitudes.norm(), x.norm(), 1e-9);
+            modes.toCoordinates(amplitudes, again);
+            EXPECT_TRUE(again.isApprox(x, 1e-9));
+        }
+
+        TEST(SliceModesTest, CoordinatesKeepToTheFrame)
+        {
+            const SliceFrame frame = cubeFrame(6);
+            const SliceModes modes(frame);
+            Eigen::VectorXd x(frame.dimension());
+            modes.toCoordinates(modes.upper(), x);
+            EXPECT_TRUE((x.array() <= frame.upper().array()).all());
+            EXPECT_TRUE((x.array() >= frame.lower().array()).all());
+        }
+
+        TEST(SliceModesTest, ExistWhereAllSlicesHaveTheSameCoordinates)
+        {
+            EXPECT_TRUE(SliceModes::exist(cubeFrame(4)));
+            EXPECT_FALSE(SliceModes::exist(cubeFrame(1)));
+        }
+    }  // namespace
+}  // namespace ompl_mfa
