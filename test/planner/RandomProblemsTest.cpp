@@ -282,5 +282,41 @@ namespace ompl_mfa
                       << 1e3 * tally.longestOverrun << " ms\n";
             EXPECT_GT(tally.exact, solved / 2);
         }
+
+        /* What grows with the search (a roadmap of a million motions here) must not take long to grow either. */
+        TEST(LongSearch, LooksAtTheConditionAllTheTime)
+        {
+            const auto space = test::realVectorSpace(2);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            ompl::RNG rng(3);
+            si->setStateValidityChecker(std::make_shared<Balls>(si, 25, rng));
+            si->setup();
+            const auto pdef = std::make_shared<ob::ProblemDefinition>(si);
+            ob::ScopedState<> start(space);
+            ob::ScopedState<> goal(space);
+            do
+            {
+                space->allocDefaultStateSampler()->sampleUniform(start.get());
+                space->allocDefaultStateSampler()->sampleUniform(goal.get());
+            } while (!si->isValid(start.get()) || !si->isValid(goal.get()) || si->checkMotion(start.get(), goal.get()));
+            pdef->setStartAndGoalStates(start, goal);
+            MFA planner(si);
+            test::set(planner, "guide", "roadmap");
+            test::set(planner, "seed", "3");
+            planner.setProblemDefinition(pdef);
+            const double limit = processorTime() + 4.0;
+            double last = processorTime();
+            double longest = 0.0;
+            planner.solve(ob::PlannerTerminationCondition(
+                [&]
+                {
+                    const double now = processorTime();
+                    longest = std::max(longest, now - last);
+                    last = now;
+                    return now > limit;
+                }));
+            std::cout << "longest time between two looks at the condition: " << 1e3 * longest << " ms\n";
+            EXPECT_LT(longest, SLOWDOWN * LONGEST_OVERRUN);
+        }
     }  // namespace
 }  // namespace ompl_mfa

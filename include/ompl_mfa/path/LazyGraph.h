@@ -2,6 +2,7 @@
 #define OMPL_MFA_PATH_LAZY_GRAPH_
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "ompl_mfa/path/PathEvaluator.h"
@@ -116,7 +117,7 @@ namespace ompl_mfa
         PathEvaluator &evaluator_;
         Waypoints states_;
         std::vector<Vertex> vertices_;
-        std::vector<Edge> edges_;
+        std::deque<Edge> edges_;  ///< a vector would copy itself for milliseconds when it grows
         std::vector<Validity> checks_;
         std::vector<std::size_t> starts_;
         std::vector<std::size_t> goals_;
