@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <ompl/geometric/PathGeometric.h>
+
 namespace ompl_mfa
 {
     Waypoints::Waypoints(ompl::base::StateSpacePtr space)
@@ -48,6 +50,12 @@ namespace ompl_mfa
     std::vector<const ompl::base::State *> Waypoints::pointers() const
     {
         return {states_.begin(), states_.begin() + static_cast<std::ptrdiff_t>(size_)};
+    }
+
+    void Waypoints::appendTo(ompl::geometric::PathGeometric &path) const
+    {
+        for (std::size_t i = 0; i < size_; ++i)
+            path.append(states_[i]);
     }
 
     double Waypoints::length() const

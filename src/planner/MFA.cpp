@@ -223,17 +223,15 @@ namespace ompl_mfa
     void MFA::publish()
     {
         const ob::Cost cost(incumbent_->cost());
-        const auto states = incumbent_->path().pointers();
         auto path = std::make_shared<og::PathGeometric>(si_);
-        for (const ob::State *state : states)
-            path->append(state);
+        incumbent_->path().appendTo(*path);
         ob::PlannerSolution solution(path);
         solution.setPlannerName(getName());
         solution.setOptimized(objective_, cost, objective_->isSatisfied(cost));
         pdef_->addSolutionPath(solution);
         published_ = true;
         if (const auto &callback = pdef_->getIntermediateSolutionCallback())
-            callback(this, states, cost);
+            callback(this, incumbent_->path().pointers(), cost);
     }
 
     void MFA::offerPartial(const Waypoints &path, std::size_t motion, const ob::State *lastValid)
@@ -260,8 +258,7 @@ namespace ompl_mfa
         if (incumbent_->partialPath().size() < 2)
             return ob::PlannerStatus::TIMEOUT;
         auto path = std::make_shared<og::PathGeometric>(si_);
-        for (const ob::State *state : incumbent_->partialPath().pointers())
-            path->append(state);
+        incumbent_->partialPath().appendTo(*path);
         ob::PlannerSolution solution(path);
         solution.setPlannerName(getName());
         solution.setApproximate(incumbent_->partialDistance());

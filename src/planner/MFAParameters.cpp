@@ -52,16 +52,20 @@ namespace ompl_mfa
         declare("seed", &MFA::setSeed, &MFA::getSeed, "0:1:4294967295");
     }
 
-    void MFA::setVariant(const std::string &variant)
+    template <typename T>
+    void MFA::setSwarm(T FireflyOptimizer::Settings::*setting, T value)
     {
         auto settings = settings_;
-        if (variant == "mfa")
-            settings.variant = FireflyOptimizer::Variant::MFA;
-        else if (variant == "fa")
-            settings.variant = FireflyOptimizer::Variant::FA;
-        else
-            throw ompl::Exception("MFA", "variant = '" + variant + "': accepted are mfa and fa");
+        settings.*setting = value;
         settings_ = validated(settings);
+    }
+
+    void MFA::setVariant(const std::string &variant)
+    {
+        if (variant != "mfa" && variant != "fa")
+            throw ompl::Exception("MFA", "variant = '" + variant + "': accepted are mfa and fa");
+        setSwarm(&FireflyOptimizer::Settings::variant,
+                 variant == "mfa" ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA);
     }
 
     std::string MFA::getVariant() const
@@ -109,9 +113,7 @@ namespace ompl_mfa
 
     void MFA::setGenerations(unsigned int generations)
     {
-        auto settings = settings_;
-        settings.generations = generations;
-        settings_ = validated(settings);
+        setSwarm(&FireflyOptimizer::Settings::generations, generations);
     }
 
     unsigned int MFA::getGenerations() const
@@ -121,9 +123,7 @@ namespace ompl_mfa
 
     void MFA::setGamma(double gamma)
     {
-        auto settings = settings_;
-        settings.gamma = gamma;
-        settings_ = validated(settings);
+        setSwarm(&FireflyOptimizer::Settings::gamma, gamma);
     }
 
     double MFA::getGamma() const
@@ -133,9 +133,7 @@ namespace ompl_mfa
 
     void MFA::setAlpha(double alpha)
     {
-        auto settings = settings_;
-        settings.alpha = alpha;
-        settings_ = validated(settings);
+        setSwarm(&FireflyOptimizer::Settings::alpha, alpha);
     }
 
     double MFA::getAlpha() const
@@ -145,9 +143,7 @@ namespace ompl_mfa
 
     void MFA::setEta(double eta)
     {
-        auto settings = settings_;
-        settings.eta = eta;
-        settings_ = validated(settings);
+        setSwarm(&FireflyOptimizer::Settings::eta, eta);
     }
 
     double MFA::getEta() const

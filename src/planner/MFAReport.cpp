@@ -100,8 +100,7 @@ namespace ompl_mfa
         {
             swarm.pathOf(i, waypoints);
             paths.emplace_back(si_);
-            for (const ob::State *state : waypoints.pointers())
-                paths.back().append(state);
+            waypoints.appendTo(paths.back());
         }
         return paths;
     }

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ompl/geometric/PathGeometric.h>
+
 #include "path/StateSpaces.h"
 
 namespace ob = ompl::base;
@@ -104,6 +106,18 @@ namespace ompl_mfa
             EXPECT_TRUE(path.empty());
             path.resize(3);
             EXPECT_EQ(path.pointers(), before);
+        }
+
+        TEST_F(WaypointsTest, AreAppendedToAPathAsCopies)
+        {
+            Waypoints waypoints = make({1.0, 2.0});
+            ompl::geometric::PathGeometric path(std::make_shared<ob::SpaceInformation>(space_));
+            waypoints.appendTo(path);
+            value(waypoints[1]) = 3.0;
+            waypoints.appendTo(path);
+            ASSERT_EQ(path.getStateCount(), 4U);
+            for (unsigned int i = 0; i < 4; ++i)
+                EXPECT_EQ(value(path.getState(i)), (std::vector<double>{1.0, 2.0, 1.0, 3.0})[i]);
         }
 
         TEST_F(WaypointsTest, InsertsAnywhere)

@@ -181,7 +181,35 @@ namespace ompl_mfa
             }
         }
 
-        /* The table of the documentation has a row `| `name` | ... | default | ...` for each parameter. */
+        /* The numbers, or the words, of a text. */
+        std::vector<std::string> accepted(const std::string &text, const std::string &separators)
+        {
+            std::vector<std::string> parts(1);
+            for (const char c : text)
+            {
+                if (separators.find(c) == std::string::npos)
+                    parts.back() += c;
+                else if (!parts.back().empty())
+                    parts.emplace_back();
+            }
+            if (parts.back().empty())
+                parts.pop_back();
+            return parts;
+        }
+
+        /* Whether a range of the documentation ("1 to 100", "0, 4 to 100", "a, b") is what a parameter declares. */
+        bool documents(const std::string &cell, const std::string &range)
+        {
+            if (range.find(':') == std::string::npos)
+                return accepted(cell, " ,") == accepted(range, ",");
+            auto documented = accepted(cell, " ,");
+            const auto declared = split(range, ':');
+            return documented.size() >= 3 && documented[documented.size() - 2] == "to" &&
+                   std::stod(documented.front()) == std::stod(declared.front()) &&
+                   std::stod(documented.back()) == std::stod(declared.back());
+        }
+
+        /* The table of the documentation has a row `| `name` | default | range | ...` for each parameter. */
         TEST_F(Parameters, EachIsInTheDocumentationWithItsDefaultAndRange)
         {
             std::ifstream in(OMPL_MFA_SOURCE_DIR "/docs/planner.md");
@@ -196,6 +224,8 @@ namespace ompl_mfa
             for (const auto &[name, parameter] : planner_.params().getParams())
             {
                 ASSERT_EQ(rows.count(name), 1U) << name << " is not in the table";
+                EXPECT_TRUE(documents(rows[name][3], parameter->getRangeSuggestion()))
+                    << name << ": " << rows[name][3] << " is not " << parameter->getRangeSuggestion();
                 const std::string defaultCell = rows[name][2];
                 const std::string shown = defaultCell.substr(1, defaultCell.size() - 2);
                 const std::string actual = parameter->getValue();

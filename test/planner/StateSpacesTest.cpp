@@ -4,11 +4,17 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <ompl/base/ConstrainedSpaceInformation.h>
+#include <ompl/base/Constraint.h>
 #include <ompl/base/spaces/DiscreteStateSpace.h>
+#include <ompl/base/spaces/TimeStateSpace.h>
+#include <ompl/base/spaces/constraint/AtlasStateSpace.h>
+#include <ompl/base/spaces/constraint/ProjectedStateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/util/Exception.h>
 
@@ -126,7 +132,11 @@ namespace ompl_mfa
         protected:
             static std::string of(const ob::StateSpacePtr &space)
             {
-                const auto si = std::make_shared<ob::SpaceInformation>(space);
+                return of(std::make_shared<ob::SpaceInformation>(space));
+            }
+
+            static std::string of(const ob::SpaceInformationPtr &si)
+            {
                 si->setStateValidityChecker([](const ob::State *) { return true; });
                 si->setup();
                 MFA planner(si);
@@ -152,6 +162,85 @@ namespace ompl_mfa
                 EXPECT_NE(message.find("'gears'"), std::string::npos) << message;
                 EXPECT_NE(message.find("SE(2)"), std::string::npos) << message;
             }
+        }
+
+        class UnitSphere : public ob::Constraint
+        {
+        public:
+            UnitSphere()
+              : ob::Constraint(3, 1)
+            {
+            }
+
+            void function(const Eigen::Ref<const Eigen::VectorXd> &x, Eigen::Ref<Eigen::VectorXd> out) const override
+            {
+                out[0] = x.norm() - 1.0;
+            }
+        };
+
+        TEST_F(Refusal, OfTimeConstrainedAndAtlasSpacesNamesThemToo)
+        {
+            const auto clock = std::make_shared<ob::TimeStateSpace>();
+            const auto sphere = std::make_shared<UnitSphere>();
+            const auto projected = std::make_shared<ob::ProjectedStateSpace>(test::realVectorSpace(3), sphere);
+            const auto atlas = std::make_shared<ob::AtlasStateSpace>(test::realVectorSpace(3), sphere);
+            clock->setName("clock");
+            projected->setName("projected");
+            atlas->setName("atlas");
+            const auto si = std::make_shared<ob::ConstrainedSpaceInformation>(projected);
+            const auto atlasSi = std::make_shared<ob::ConstrainedSpaceInformation>(atlas);
+            for (const auto &[name, message] :
+                 {std::pair<std::string, std::string>{"'clock'",
+                                                      of(test::compoundSpace({test::se2Space(), clock}, {1, 1}))},
+                  {"'projected'", of(si)},
+                  {"'atlas'", of(atlasSi)}})
+                EXPECT_NE(message.find(name), std::string::npos) << message;
+        }
+
+        /* Start and goal differ in rotation alone, and the way between them is blocked: the positions have to make
+         * room. */
+        class PureRotation : public ::testing::TestWithParam<Case>
+        {
+        };
+
+        INSTANTIATE_TEST_SUITE_P(
+            Planner, PureRotation,
+            ::testing::Combine(::testing::Values(test::NamedSpace{"SE2", [] { return test::se2Space(); }},
+                                                 test::NamedSpace{"SE3", [] { return test::se3Space(); }}),
+                               ::testing::Values(test::Engine::Default, test::Engine::Paper)),
+            CaseName());
+
+        TEST_P(PureRotation, IsSolvedWhereItHasToLeaveItsPlace)
+        {
+            const auto space = std::get<0>(GetParam()).make();
+            const StateChart chart(space);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            ob::ScopedState<> start(space);
+            ob::ScopedState<> goal(space);
+            ompl::RNG rng(5);
+            chart.sampleUniform(rng, start.get());
+            chart.sampleUniform(rng, goal.get());
+            Eigen::VectorXd origin = Eigen::VectorXd::Zero(chart.positionDimension());
+            chart.setPositions(origin, start.get());
+            chart.setPositions(origin, goal.get());
+            // near the place only rotations close to those of start and goal are free
+            si->setStateValidityChecker(
+                [&](const ob::State *state)
+                {
+                    Eigen::VectorXd positions(chart.positionDimension());
+                    chart.positions(state, positions);
+                    return positions.norm() > 0.5 || space->distance(state, start.get()) < 0.5 ||
+                           space->distance(state, goal.get()) < 0.5;
+                });
+            si->setup();
+            const auto pdef = std::make_shared<ob::ProblemDefinition>(si);
+            pdef->setStartAndGoalStates(start, goal);
+            const auto planner = test::makePlanner(si, std::get<1>(GetParam()));
+            planner->setProblemDefinition(pdef);
+            ASSERT_FALSE(si->checkMotion(start.get(), goal.get()));
+            ASSERT_EQ(planner->solve(test::untilExact(pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_TRUE(pdef->getSolutionPath()->check());
+            EXPECT_GT(planner->bestCost(), space->distance(start.get(), goal.get()));
         }
 
         TEST(SimpleSetup, TakesThePlannerWithoutAnythingElse)

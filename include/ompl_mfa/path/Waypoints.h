@@ -7,6 +7,11 @@
 #include <ompl/base/State.h>
 #include <ompl/base/StateSpace.h>
 
+namespace ompl::geometric
+{
+    class PathGeometric;
+}
+
 namespace ompl_mfa
 {
     /** \brief A sequence of states of one space that owns its states and reuses their memory when it changes length.
@@ -63,6 +68,9 @@ namespace ompl_mfa
 
         /** \brief The states as OMPL's callbacks take them; valid until the next change. */
         std::vector<const ompl::base::State *> pointers() const;
+
+        /** \brief Appends copies of the states to \e path, which is of the same space. */
+        void appendTo(ompl::geometric::PathGeometric &path) const;
 
         void clear()
         {

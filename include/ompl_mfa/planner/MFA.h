@@ -113,6 +113,8 @@ namespace ompl_mfa
         };
 
         void declareParameters();
+        template <typename T>
+        void setSwarm(T FireflyOptimizer::Settings::*setting, T value);
         FireflyOptimizer::Settings swarmSettings() const;
         ompl::base::PlannerStatus::StatusType begin(const ompl::base::PlannerTerminationCondition &ptc);
         void prepareQuery();

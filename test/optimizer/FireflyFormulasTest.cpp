@@ -1,0 +1,299 @@
+/* The optimiser moves as the equations say: against an oracle, and equation by equation. */
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <Eigen/QR>
+
+#include "optimizer/FireflyOracle.h"
+#include "optimizer/FireflyProblem.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        using test::bumpyCost;
+        using test::constant;
+        using test::makeOptimizer;
+        using test::never;
+        using test::Recorder;
+        using test::small;
+        using test::Variant;
+
+        using FireflyFormulasVariants = test::FireflyVariants;
+
+        INSTANTIATE_TEST_SUITE_P(Both, FireflyFormulasVariants, ::testing::Values(Variant::FA, Variant::MFA),
+                                 test::VariantName());
+
+        TEST_P(FireflyFormulasVariants, followsTheFormulasOverAnEpoch)
+        {
+            const FireflyOracle::Point lower{-4.0, 0.5, -1.0};
+            const FireflyOracle::Point upper{6.0, 2.5, 30.0};
+            auto settings = small(GetParam());
+            settings.gamma = 0.03;
+            settings.eta = 1.1;
+            for (std::uint64_t seed = 1; seed <= 5; ++seed)
+            {
+                FireflyOracle oracle({GetParam() == Variant::MFA, 12, 8, 0.03, 0.2, 1.1}, lower, upper, bumpyCost,
+                                     seed);
+                auto optimizer = makeOptimizer(settings, seed);
+                Recorder objective;
+                ASSERT_TRUE(optimizer.step(objective, never));
+                for (unsigned int t = 0; t < 8; ++t)
+                {
+                    oracle.generation(t);
+                    ASSERT_TRUE(optimizer.step(objective, never));
+                    for (unsigned int i = 0; i < 12; ++i)
+                    {
+                        for (unsigned int k = 0; k < 3; ++k)
+                            ASSERT_NEAR(optimizer.population()(k, i), oracle.points[i][k], 1e-9) << "generation " << t;
+                        ASSERT_NEAR(optimizer.brightness(i).cost, oracle.costs[i], 1e-7);
+                    }
+                    ASSERT_NEAR(optimizer.bestBrightness().cost, oracle.bestCost, 1e-7);
+                }
+            }
+        }
+
+        TEST(FireflyFormulas, movesTowardTheBrighterByEquation4And5)
+        {
+            // Two fireflies without random step: the dimmer ends at x + beta0 exp(-gamma r^2) (y - x), r in tenths of
+            // ranges.
+            auto settings = small(Variant::FA, 2);
+            settings.alpha = 0.0;
+            settings.eta = 0.8;
+            settings.gamma = 0.02;
+            auto optimizer = makeOptimizer(settings);
+            optimizer.inject(Eigen::Vector3d(0.0, 1.0, 10.0));
+            optimizer.inject(Eigen::Vector3d(5.0, 1.5, 25.5));
+            Recorder objective([](const std::vector<double> &x) { return x[0]; });
+            optimizer.step(objective, never);
+            optimizer.step(objective, never);
+            // r^2 = (5/1)^2 + (0.5/0.2)^2 + (15.5/3.1)^2 = 56.25; beta = 0.8 exp(-1.125) = 0.259722...
+            const double beta = 0.8 * 0.32465246735834974;
+            EXPECT_NEAR(optimizer.population()(0, 1), 5.0 - 5.0 * beta, 1e-12);
+            EXPECT_NEAR(optimizer.population()(1, 1), 1.5 - 0.5 * beta, 1e-12);
+            EXPECT_NEAR(optimizer.population()(2, 1), 25.5 - 15.5 * beta, 1e-12);
+            EXPECT_TRUE(optimizer.population().col(0) == Eigen::Vector3d(0.0, 1.0, 10.0));
+            EXPECT_EQ(optimizer.evaluations(), 3U);
+        }
+
+        TEST(FireflyFormulas, keepsAPartOfTheAttractionAtAnyDistance)
+        {
+            auto settings = small(Variant::FA, 2);
+            settings.alpha = 0.0;
+            settings.gamma = 1e6;
+            settings.betaMin = 0.2;
+            auto optimizer = makeOptimizer(settings);
+            optimizer.inject(Eigen::Vector3d(0.0, 1.0, 10.0));
+            optimizer.inject(Eigen::Vector3d(5.0, 1.5, 25.0));
+            Recorder objective([](const std::vector<double> &x) { return x[0]; });
+            optimizer.step(objective, never);
+            optimizer.step(objective, never);
+            EXPECT_NEAR(optimizer.population()(0, 1), 4.0, 1e-12);
+            EXPECT_NEAR(optimizer.population()(2, 1), 22.0, 1e-12);
+        }
+
+        TEST(FireflyFormulas, randomStepIsUniformAndScaledByEachRange)
+        {
+            // Without attraction a firefly with one brighter neighbour moves by alpha eps, eps in [-1/2, 1/2] of each
+            // range.
+            auto settings = small(Variant::FA, 2);
+            settings.eta = 0.0;
+            settings.alpha = 0.1;
+            double squares[3] = {0.0, 0.0, 0.0};
+            const Eigen::Vector3d start(1.0, 1.5, 15.0);
+            const Eigen::Vector3d range(10.0, 2.0, 31.0);
+            constexpr int RUNS = 4000;
+            for (int run = 0; run < RUNS; ++run)
+            {
+                auto optimizer = makeOptimizer(settings, 100 + run);
+                optimizer.inject(Eigen::Vector3d(0.0, 1.0, 10.0));
+                optimizer.inject(start);
+                Recorder objective([](const std::vector<double> &x) { return x[2]; });
+                optimizer.step(objective, never);
+                optimizer.step(objective, never);
+                for (int k = 0; k < 3; ++k)
+                {
+                    const double part = (optimizer.population()(k, 1) - start[k]) / range[k] / 0.1;
+                    ASSERT_LE(std::abs(part), 0.5 + 1e-12);
+                    squares[k] += part * part / RUNS;
+                }
+            }
+            for (const double square : squares)
+                EXPECT_NEAR(square, 1.0 / 12.0, 0.004);
+        }
+
+        TEST(FireflyFormulas, equallyBrightFirefliesMoveAtRandomExceptTheFirst)
+        {
+            auto optimizer = makeOptimizer(small(Variant::FA));
+            const Eigen::MatrixXd before = optimizer.population();
+            Recorder flat([](const std::vector<double> &) { return 1.0; });
+            optimizer.step(flat, never);
+            optimizer.step(flat, never);
+            EXPECT_TRUE(optimizer.population().col(0) == before.col(0));
+            for (int i = 1; i < 12; ++i)
+            {
+                const Eigen::Vector3d step =
+                    (optimizer.population().col(i) - before.col(i)).cwiseQuotient(Eigen::Vector3d(10.0, 2.0, 31.0));
+                EXPECT_GT(step.cwiseAbs().maxCoeff(), 0.0);
+                EXPECT_LE(step.cwiseAbs().maxCoeff(), 0.1 + 1e-12);
+            }
+        }
+
+        TEST(FireflyFormulas, trialVectorsObeyEquations6To12)
+        {
+            // The population is recovered from the evaluations; no firefly moves, since none is brighter than another.
+            auto settings = small(Variant::MFA, 8);
+            settings.alpha = 0.0;
+            const Eigen::VectorXd lower = constant(4, -1e3);
+            const Eigen::VectorXd upper = constant(4, 1e3);
+            FireflyOptimizer optimizer(settings, lower, upper, 12);
+            // Narrow around a far point, so that no trial is clamped.
+            for (int i = 0; i < 8; ++i)
+                optimizer.inject(Eigen::Vector4d(10.0 + i, 20.0 + i * i, 30.0 - i * i * i / 64.0, 7.0 * std::sin(i)));
+            Recorder flat([](const std::vector<double> &) { return 1.0; });
+            optimizer.step(flat, never);
+            const Eigen::MatrixXd x = optimizer.population();
+            const Eigen::VectorXd best = optimizer.best();
+            const Eigen::VectorXd worst = x.col(7);
+            flat.points.clear();
+            flat.hadRival.clear();
+            optimizer.step(flat, never);
+            ASSERT_EQ(flat.points.size(), 7U + 8U * 5U)
+                << "a trial equal to its firefly would be left out; choose another seed";
+            for (int i = 0; i < 8; ++i)
+            {
+                const auto *trial = &flat.points[7 + 5 * static_cast<std::size_t>(i)];
+                // (7): F_new2 - F_new1 = l (F_best - F_worst) with one l for all components; F_new1 shows in (8) and
+                // (9).
+                std::set<long> lambdas;
+                for (int j = 0; j < 4; ++j)
+                {
+                    const bool newIn8 = trial[0][j] != best[j];
+                    const bool newIn9 = trial[1][j] != x(j, i);
+                    if (newIn8 && newIn9)
+                    {
+                        EXPECT_EQ(trial[0][j], trial[1][j]);
+                    }
+                    EXPECT_TRUE(trial[2][j] == x(j, i) || trial[2][j] == trial[3][j]);
+                    if (newIn8 || newIn9)
+                    {
+                        const double new1 = newIn8 ? trial[0][j] : trial[1][j];
+                        lambdas.insert(std::lround(1e9 * (trial[3][j] - new1) / (best[j] - worst[j])));
+                    }
+                }
+                EXPECT_LE(lambdas.size(), 1U);
+                for (const long lambda : lambdas)
+                {
+                    EXPECT_GE(lambda, 0);
+                    EXPECT_LT(lambda, 1000000000);
+                }
+                // (12): delta F_worst + psi (F_best - F_worst), both in [0, 1).
+                Eigen::MatrixXd basis(4, 2);
+                basis << worst, best - worst;
+                const Eigen::Vector2d weights = basis.colPivHouseholderQr().solve(trial[4]);
+                EXPECT_NEAR((basis * weights - trial[4]).norm(), 0.0, 1e-9);
+                EXPECT_GE(weights.minCoeff(), -1e-9);
+                EXPECT_LT(weights.maxCoeff(), 1.0 + 1e-9);
+            }
+            for (std::size_t k = 0; k < flat.hadRival.size(); ++k)
+                EXPECT_EQ(flat.hadRival[k], k >= 7) << "only trial vectors have a rival";
+        }
+
+        TEST(FireflyFormulas, drawsFourDistinctFireflies)
+        {
+            // Firefly i sits at 10^i: F_n1 + l1 (F_n2 - F_n3) + l2 (F_n3 - F_n4) of four fireflies, were two of them
+            // the same, would miss one of the four powers. Their use is read off a least-squares fit that needs all
+            // four to be distinct.
+            auto settings = small(Variant::MFA, 4, 2000);
+            settings.alpha = 0.0;
+            settings.trialVectors = {{false, false, false, true, false}};
+            FireflyOptimizer optimizer(settings, constant(4, -1e6), constant(4, 1e6), 5);
+            for (int i = 0; i < 4; ++i)
+                optimizer.inject(Eigen::Vector4d::Unit(i));
+            Recorder flat([](const std::vector<double> &) { return 1.0; });
+            optimizer.step(flat, never);
+            for (int generation = 0; generation < 500; ++generation)
+            {
+                flat.points.clear();
+                optimizer.step(flat, never);
+                // Unit vectors: the components are the weights. Best is e0 and worst e3, so F_new2 - l (e0 - e3) must
+                // have the weights 1, l1, l2 - l1 and -l2 in some order, whose sum is 1 whatever the draw; with a
+                // repetition the four fireflies would be three at most and one of e1, e2 could be missing only together
+                // with e0 or e3.
+                for (std::size_t k = 3; k < flat.points.size(); ++k)
+                {
+                    EXPECT_NEAR(flat.points[k].sum(), 1.0, 1e-9);
+                    EXPECT_NE(flat.points[k][1], 0.0);
+                    EXPECT_NE(flat.points[k][2], 0.0);
+                }
+            }
+        }
+
+        TEST(FireflyFormulas, schedulesEndWhereEquations13And14Say)
+        {
+            auto optimizer = makeOptimizer(small(Variant::MFA, 5, 10));
+            Recorder objective;
+            optimizer.step(objective, never);
+            EXPECT_DOUBLE_EQ(optimizer.alpha(), 0.2);
+            EXPECT_DOUBLE_EQ(optimizer.beta0(), 1.0);
+            optimizer.step(objective, never);
+            EXPECT_NEAR(optimizer.alpha(), 0.2 * std::pow(1.0 / 20.0, 0.1), 1e-15);
+            EXPECT_NEAR(optimizer.beta0(), 0.9, 1e-15);
+            for (int t = 1; t < 10; ++t)
+                optimizer.step(objective, never);
+            EXPECT_NEAR(optimizer.alpha(), 0.2 / 20.0, 1e-15);
+            EXPECT_NEAR(optimizer.beta0(), 0.0, 1e-15);
+
+            optimizer.step(objective, never);
+            EXPECT_EQ(optimizer.generation(), 11U);
+            EXPECT_NEAR(optimizer.alpha(), 0.2 * std::pow(1.0 / 20.0, 0.1), 1e-15) << "the second epoch starts anew";
+            optimizer.restartEpoch();
+            EXPECT_DOUBLE_EQ(optimizer.alpha(), 0.2);
+            EXPECT_DOUBLE_EQ(optimizer.beta0(), 1.0);
+        }
+
+        TEST(FireflyFormulas, otherSchedulesEndWhereTheySay)
+        {
+            using Alpha = FireflyOptimizer::AlphaSchedule;
+            const std::pair<Alpha, double> ends[] = {
+                {Alpha::Constant, 0.2}, {Alpha::Geometric, 0.01}, {Alpha::Yang, 0.2e-4 / 0.9}, {Alpha::Linear, 0.0}};
+            for (const auto &end : ends)
+            {
+                auto settings = small(Variant::FA, 5, 10);
+                settings.alphaSchedule = end.first;
+                auto optimizer = makeOptimizer(settings);
+                Recorder objective;
+                EXPECT_DOUBLE_EQ(optimizer.alpha(), 0.2);
+                for (int t = 0; t <= 10; ++t)
+                    optimizer.step(objective, never);
+                EXPECT_NEAR(optimizer.alpha(), end.second, 1e-15);
+                EXPECT_EQ(optimizer.beta0(), 1.0);
+            }
+            auto settings = small(Variant::MFA, 5, 10);
+            settings.alphaSchedule = Alpha::Constant;
+            settings.betaSchedule = FireflyOptimizer::BetaSchedule::Constant;
+            auto optimizer = makeOptimizer(settings);
+            Recorder objective;
+            for (int t = 0; t <= 10; ++t)
+                optimizer.step(objective, never);
+            EXPECT_EQ(optimizer.alpha(), 0.2);
+            EXPECT_EQ(optimizer.beta0(), 1.0);
+        }
+
+        TEST(FireflyFormulas, attractionNeverBecomesRepulsion)
+        {
+            auto settings = small(Variant::MFA, 5, 10);
+            settings.eta = 0.35;
+            auto optimizer = makeOptimizer(settings);
+            Recorder objective;
+            for (int t = 0; t <= 10; ++t)
+            {
+                EXPECT_GE(optimizer.beta0(), 0.0);
+                optimizer.step(objective, never);
+            }
+        }
+    }  // namespace
+}  // namespace ompl_mfa

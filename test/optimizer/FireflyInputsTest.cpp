@@ -1,0 +1,187 @@
+/* What the optimiser is given: orders of brightness, injected points, settings and boxes. */
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "optimizer/FireflyProblem.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        using test::constant;
+        using test::makeOptimizer;
+        using test::never;
+        using test::Recorder;
+        using test::small;
+        using test::Variant;
+
+        std::string refusal(const FireflyOptimizer::Settings &settings)
+        {
+            try
+            {
+                settings.validate();
+            }
+            catch (const std::invalid_argument &error)
+            {
+                return error.what();
+            }
+            return "";
+        }
+
+        TEST(FireflyInputs, ranksFeasibleBeforeLessViolated)
+        {
+            class Violated : public ObjectiveFunction
+            {
+            public:
+                Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness * /*rival*/) override
+                {
+                    return {std::max(0.0, x[0] - 1.0), -x[0]};
+                }
+            } objective;
+            FireflyOptimizer optimizer(small(Variant::MFA, 20, 30), constant(1, -10.0), constant(1, 10.0), 4);
+            for (int t = 0; t <= 60; ++t)
+                optimizer.step(objective, never);
+            EXPECT_TRUE(optimizer.bestBrightness().isFeasible());
+            EXPECT_NEAR(optimizer.best()[0], 1.0, 1e-2);
+            EXPECT_LE(optimizer.best()[0], 1.0);
+        }
+
+        TEST(FireflyInputs, ordersAsTheObjectiveSays)
+        {
+            class Greatest : public ObjectiveFunction
+            {
+            public:
+                Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness * /*rival*/) override
+                {
+                    return {0.0, -x.squaredNorm()};
+                }
+                bool isBrighter(const Brightness &a, const Brightness &b) const override
+                {
+                    return a.violation < b.violation || (a.violation == b.violation && a.cost > b.cost);
+                }
+            } objective;
+            FireflyOptimizer optimizer(small(Variant::MFA, 20, 30), constant(2, -3.0), constant(2, 10.0), 4);
+            for (int t = 0; t <= 30; ++t)
+                optimizer.step(objective, never);
+            EXPECT_LT(optimizer.best().norm(), 0.05);
+        }
+
+        TEST(FireflyInputs, takesNanAsInfinitelyDim)
+        {
+            Recorder objective([](const std::vector<double> &x) { return x[0] > 0.0 ? std::nan("") : x[0] * x[0]; });
+            auto optimizer = makeOptimizer(small(Variant::MFA, 20, 30));
+            for (int t = 0; t <= 30; ++t)
+                optimizer.step(objective, never);
+            EXPECT_TRUE(optimizer.bestBrightness().isFeasible());
+            EXPECT_LT(optimizer.bestBrightness().cost, 1e-2);
+        }
+
+        TEST(FireflyInputs, injectedPointReplacesTheDimmest)
+        {
+            auto optimizer = makeOptimizer(small(Variant::MFA));
+            Recorder objective;
+            optimizer.step(objective, never);
+            const unsigned int dimmest = optimizer.order().back();
+            const Eigen::Vector3d dull(0.1, 1.1, 1.1);
+            const double second = optimizer.brightness(optimizer.order()[10]).cost;
+            optimizer.inject(dull, {0.0, second}, objective);
+            EXPECT_TRUE(optimizer.population().col(dimmest) == dull);
+            EXPECT_FALSE(optimizer.best() == dull);
+
+            const Eigen::Vector3d bright(-99.0, 1.0, 2.0);
+            optimizer.inject(bright, {0.0, -1e9}, objective);
+            EXPECT_TRUE(optimizer.best() == Eigen::Vector3d(-4.0, 1.0, 2.0)) << "clamped to the box";
+            EXPECT_EQ(optimizer.bestBrightness().cost, -1e9);
+            EXPECT_EQ(optimizer.brightness(optimizer.brightestIndex()).cost, -1e9);
+            optimizer.step(objective, never);
+            EXPECT_EQ(optimizer.bestBrightness().cost, -1e9);
+            EXPECT_TRUE(optimizer.population().col(optimizer.brightestIndex()) == optimizer.best());
+        }
+
+        TEST(FireflyInputs, injectionInTheMiddleOfAGenerationSurvivesIt)
+        {
+            auto optimizer = makeOptimizer(small(Variant::FA));
+            Recorder objective;
+            optimizer.step(objective, never);
+            const auto limit = optimizer.evaluations() + 3;
+            EXPECT_FALSE(optimizer.step(objective, [&] { return optimizer.evaluations() >= limit; }));
+            optimizer.inject(Eigen::Vector3d(1.0, 1.0, 1.0), {0.0, -1e9}, objective);
+            EXPECT_TRUE(optimizer.step(objective, never));
+            EXPECT_TRUE(optimizer.population().col(optimizer.brightestIndex()) == Eigen::Vector3d(1.0, 1.0, 1.0));
+        }
+
+        TEST(FireflyInputs, injectionsAtTheWrongTimeAreLogicErrors)
+        {
+            auto optimizer = makeOptimizer(small(Variant::FA, 2));
+            Recorder objective;
+            const Eigen::Vector3d x(1.0, 1.0, 1.0);
+            EXPECT_THROW(optimizer.inject(x, {0.0, 1.0}, objective), std::logic_error);
+            optimizer.inject(x);
+            optimizer.inject(x);
+            EXPECT_THROW(optimizer.inject(x), std::logic_error);
+            optimizer.step(objective, never);
+            EXPECT_THROW(optimizer.inject(x), std::logic_error);
+        }
+
+        TEST(FireflyInputs, injectedSeedsAreEvaluatedFirst)
+        {
+            auto optimizer = makeOptimizer(small(Variant::MFA));
+            optimizer.inject(Eigen::Vector3d(1.0, 2.0, 3.0));
+            Recorder objective;
+            optimizer.step(objective, never);
+            EXPECT_TRUE(objective.points.front() == Eigen::Vector3d(1.0, 2.0, 3.0));
+        }
+
+        TEST(FireflyInputs, refusesBadSettingsByNameValueAndRange)
+        {
+            EXPECT_EQ(refusal({}), "");
+            const double nan = std::nan("");
+            const double inf = std::numeric_limits<double>::infinity();
+            struct Case
+            {
+                const char *name;
+                double FireflyOptimizer::Settings::*member;
+                double bad;
+            };
+            for (const auto &bad : {Case{"gamma", &FireflyOptimizer::Settings::gamma, -0.1},
+                                    Case{"gamma", &FireflyOptimizer::Settings::gamma, nan},
+                                    Case{"gamma", &FireflyOptimizer::Settings::gamma, inf},
+                                    Case{"alpha", &FireflyOptimizer::Settings::alpha, 1.5},
+                                    Case{"alpha", &FireflyOptimizer::Settings::alpha, -0.5},
+                                    Case{"alpha", &FireflyOptimizer::Settings::alpha, nan},
+                                    Case{"eta", &FireflyOptimizer::Settings::eta, 2.5},
+                                    Case{"eta", &FireflyOptimizer::Settings::eta, -1.0},
+                                    Case{"betaMin", &FireflyOptimizer::Settings::betaMin, -1.0}})
+            {
+                FireflyOptimizer::Settings settings;
+                settings.*bad.member = bad.bad;
+                const std::string message = refusal(settings);
+                EXPECT_NE(message.find(bad.name), std::string::npos) << message;
+                EXPECT_NE(message.find("must be"), std::string::npos) << message;
+            }
+            EXPECT_EQ(refusal(small(Variant::MFA, 3)),
+                      "FireflyOptimizer: populationSize = 3 is not accepted; it must be at least 4");
+            EXPECT_EQ(refusal(small(Variant::FA, 1)), "");
+            EXPECT_NE(refusal(small(Variant::FA, 0)), "");
+            EXPECT_NE(refusal(small(Variant::FA, 10, 0)).find("generations = 0"), std::string::npos);
+        }
+
+        TEST(FireflyInputs, refusesBadBoxes)
+        {
+            const auto make = [](const Eigen::VectorXd &lower, const Eigen::VectorXd &upper)
+            { FireflyOptimizer(FireflyOptimizer::Settings(), lower, upper, 1); };
+            EXPECT_THROW(make({}, {}), std::invalid_argument);
+            EXPECT_THROW(make(constant(2, 0.0), constant(3, 1.0)), std::invalid_argument);
+            EXPECT_THROW(make(constant(2, 1.0), constant(2, 0.0)), std::invalid_argument);
+            EXPECT_THROW(make(constant(2, -INFINITY), constant(2, 0.0)), std::invalid_argument);
+            EXPECT_THROW(make(constant(2, 0.0), constant(2, std::nan(""))), std::invalid_argument);
+            EXPECT_THROW(make(constant(1, -1e308), constant(1, 1e308)), std::invalid_argument) << "the range overflows";
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,96 @@
+#ifndef OMPL_MFA_TEST_OPTIMIZER_FIREFLY_PROBLEM_
+#define OMPL_MFA_TEST_OPTIMIZER_FIREFLY_PROBLEM_
+
+/* What the tests of the firefly optimiser optimise, and optimisers small enough for many runs. */
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ompl_mfa/optimizer/FireflyOptimizer.h"
+
+namespace ompl_mfa::test
+{
+    using Variant = FireflyOptimizer::Variant;
+
+    inline bool never()
+    {
+        return false;
+    }
+
+    inline double bumpyCost(const std::vector<double> &x)
+    {
+        double cost = 0.0;
+        for (std::size_t k = 0; k < x.size(); ++k)
+            cost += std::pow(x[k] - 1.3 * static_cast<double>(k + 1), 2) + 2.0 * std::cos(5.0 * x[k]);
+        return cost;
+    }
+
+    /** \brief Keeps what it was asked, in order. */
+    class Recorder : public ObjectiveFunction
+    {
+    public:
+        using Cost = std::function<double(const std::vector<double> &)>;
+
+        explicit Recorder(Cost cost = bumpyCost)
+          : cost_(std::move(cost))
+        {
+        }
+
+        Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) override
+        {
+            points.emplace_back(x);
+            hadRival.push_back(rival != nullptr);
+            const Brightness brightness{0.0, cost_({x.data(), x.data() + x.size()})};
+            if (rival != nullptr && !isBrighter(brightness, *rival))
+                return {};
+            return brightness;
+        }
+
+        std::vector<Eigen::VectorXd> points;
+        std::vector<bool> hadRival;
+
+    private:
+        Cost cost_;
+    };
+
+    inline FireflyOptimizer::Settings small(Variant variant, unsigned int size = 12, unsigned int generations = 8)
+    {
+        FireflyOptimizer::Settings settings;
+        settings.variant = variant;
+        settings.populationSize = size;
+        settings.generations = generations;
+        return settings;
+    }
+
+    inline Eigen::VectorXd constant(Eigen::Index d, double value)
+    {
+        return Eigen::VectorXd::Constant(d, value);
+    }
+
+    /** \brief An optimiser in R^3 on a box of unequal edges, away from the origin. */
+    inline FireflyOptimizer makeOptimizer(const FireflyOptimizer::Settings &settings, std::uint64_t seed = 3)
+    {
+        return {settings, Eigen::Vector3d(-4.0, 0.5, -1.0), Eigen::Vector3d(6.0, 2.5, 30.0), seed};
+    }
+
+    /** \brief For tests that hold of the firefly algorithm and of the modified one. */
+    class FireflyVariants : public ::testing::TestWithParam<Variant>
+    {
+    };
+
+    struct VariantName
+    {
+        template <typename Info>
+        std::string operator()(const Info &info) const
+        {
+            return info.param == Variant::FA ? "FA" : "MFA";
+        }
+    };
+}  // namespace ompl_mfa::test
+
+#endif

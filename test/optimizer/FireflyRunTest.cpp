@@ -1,0 +1,259 @@
+/* The optimiser over a whole run: what it spends, when it stops, what is the same from run to run. */
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "optimizer/FireflyProblem.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        using test::bumpyCost;
+        using test::constant;
+        using test::makeOptimizer;
+        using test::never;
+        using test::Recorder;
+        using test::small;
+        using test::Variant;
+
+        void expectSame(const FireflyOptimizer &a, const FireflyOptimizer &b)
+        {
+            EXPECT_TRUE(a.population() == b.population());
+            for (unsigned int i = 0; i < a.settings().populationSize; ++i)
+                EXPECT_EQ(a.brightness(i).cost, b.brightness(i).cost);
+            EXPECT_TRUE(a.best() == b.best());
+            EXPECT_EQ(a.bestBrightness().cost, b.bestBrightness().cost);
+            EXPECT_EQ(a.evaluations(), b.evaluations());
+            EXPECT_EQ(a.generation(), b.generation());
+        }
+
+        using FireflyRunVariants = test::FireflyVariants;
+
+        INSTANTIATE_TEST_SUITE_P(Both, FireflyRunVariants, ::testing::Values(Variant::FA, Variant::MFA),
+                                 test::VariantName());
+
+        TEST(FireflyRun, epochEndKeepsTheBest)
+        {
+            auto optimizer = makeOptimizer(small(Variant::MFA, 10, 5));
+            Recorder objective;
+            for (int t = 0; t <= 5; ++t)
+                optimizer.step(objective, never);
+            const double before = optimizer.bestBrightness().cost;
+            const Eigen::VectorXd brightest = optimizer.population().col(optimizer.brightestIndex());
+            const double brightestCost = optimizer.brightness(optimizer.brightestIndex()).cost;
+            optimizer.step(objective, never);
+            EXPECT_LE(optimizer.bestBrightness().cost, before);
+            EXPECT_LE(optimizer.brightness(optimizer.brightestIndex()).cost, brightestCost);
+            EXPECT_TRUE(brightest.allFinite());
+        }
+
+        TEST_P(FireflyRunVariants, isDeterministicInItsSeed)
+        {
+            auto a = makeOptimizer(small(GetParam()), 42);
+            auto b = makeOptimizer(small(GetParam()), 42);
+            auto c = makeOptimizer(small(GetParam()), 43);
+            Recorder objective;
+            for (int t = 0; t < 10; ++t)
+            {
+                a.step(objective, never);
+                b.step(objective, never);
+                c.step(objective, never);
+            }
+            expectSame(a, b);
+            EXPECT_FALSE(a.population() == c.population());
+        }
+
+        TEST_P(FireflyRunVariants, resumesAtTheVeryEvaluation)
+        {
+            auto whole = makeOptimizer(small(GetParam()), 9);
+            auto interrupted = makeOptimizer(small(GetParam()), 9);
+            Recorder objective;
+            Recorder same;
+            for (int t = 0; t < 6; ++t)
+                whole.step(objective, never);
+            for (int t = 0; t < 6; ++t)
+            {
+                // Every evaluation is its own call.
+                std::uint64_t limit = interrupted.evaluations();
+                while (!interrupted.step(same, [&] { return interrupted.evaluations() >= limit; }))
+                {
+                    ASSERT_EQ(interrupted.evaluations(), limit);
+                    ++limit;
+                }
+            }
+            expectSame(whole, interrupted);
+            ASSERT_EQ(objective.points.size(), same.points.size());
+            for (std::size_t k = 0; k < same.points.size(); ++k)
+                EXPECT_TRUE(objective.points[k] == same.points[k]);
+        }
+
+        TEST(FireflyRun, asksStopBeforeEveryEvaluation)
+        {
+            auto optimizer = makeOptimizer(small(Variant::MFA));
+            Recorder objective;
+            std::uint64_t asked = 0;
+            for (int t = 0; t < 5; ++t)
+                optimizer.step(objective, [&asked] { return ++asked, false; });
+            EXPECT_EQ(asked, optimizer.evaluations());
+            EXPECT_EQ(asked, objective.points.size());
+        }
+
+        TEST(FireflyRun, stoppedBeforeTheFirstEvaluationItHasNothing)
+        {
+            auto optimizer = makeOptimizer(small(Variant::MFA));
+            Recorder objective;
+            EXPECT_FALSE(optimizer.step(objective, [] { return true; }));
+            EXPECT_EQ(optimizer.evaluations(), 0U);
+            EXPECT_FALSE(optimizer.bestBrightness().isFeasible());
+            EXPECT_EQ(optimizer.best().size(), 3);
+        }
+
+        TEST_P(FireflyRunVariants, zeroGenerationsAreTheInitialPopulation)
+        {
+            auto optimizer = makeOptimizer(small(GetParam()));
+            const Eigen::MatrixXd initial = optimizer.population();
+            Recorder objective;
+            EXPECT_TRUE(optimizer.step(objective, never));
+            EXPECT_EQ(optimizer.generation(), 0U);
+            EXPECT_EQ(optimizer.evaluations(), 12U);
+            EXPECT_TRUE(optimizer.population() == initial);
+            double lowest = INFINITY;
+            for (unsigned int i = 0; i < 12; ++i)
+            {
+                EXPECT_EQ(optimizer.brightness(i).cost, bumpyCost({&initial(0, i), &initial(0, i) + 3}));
+                lowest = std::min(lowest, optimizer.brightness(i).cost);
+            }
+            EXPECT_EQ(optimizer.bestBrightness().cost, lowest);
+            EXPECT_EQ(optimizer.brightness(optimizer.brightestIndex()).cost, lowest);
+        }
+
+        TEST(FireflyRun, initialPopulationFillsTheBoxUniformly)
+        {
+            const FireflyOptimizer optimizer(small(Variant::FA, 20000), Eigen::Vector2d(-3.0, 100.0),
+                                             Eigen::Vector2d(1.0, 100.5), 1);
+            const Eigen::MatrixXd unit = ((optimizer.population().colwise() - optimizer.lower()).array().colwise() /
+                                          (optimizer.upper() - optimizer.lower()).array())
+                                             .matrix();
+            EXPECT_GE(unit.minCoeff(), 0.0);
+            EXPECT_LE(unit.maxCoeff(), 1.0);
+            for (int k = 0; k < 2; ++k)
+            {
+                EXPECT_NEAR(unit.row(k).mean(), 0.5, 0.01);
+                EXPECT_NEAR(unit.row(k).squaredNorm() / 20000, 1.0 / 3.0, 0.01);
+            }
+        }
+
+        TEST_P(FireflyRunVariants, neverLeavesTheBox)
+        {
+            // The optimum lies outside: every move and trial pushes against the bounds.
+            auto settings = small(GetParam());
+            settings.alpha = 1.0;
+            settings.eta = 2.0;
+            auto optimizer = makeOptimizer(settings);
+            Recorder objective([](const std::vector<double> &x) { return x[0] + x[1] - x[2]; });
+            for (int t = 0; t < 20; ++t)
+                optimizer.step(objective, never);
+            for (const auto &x : objective.points)
+            {
+                ASSERT_TRUE((x.array() >= optimizer.lower().array()).all());
+                ASSERT_TRUE((x.array() <= optimizer.upper().array()).all());
+            }
+            EXPECT_TRUE(optimizer.best() == Eigen::Vector3d(-4.0, 0.5, 30.0)) << "the corner is reached exactly";
+        }
+
+        TEST_P(FireflyRunVariants, bestSoFarIsMonotoneAndTheBestOfAll)
+        {
+            auto settings = small(GetParam());
+            settings.alpha = 1.0;
+            auto optimizer = makeOptimizer(settings);
+            double lowest = INFINITY;
+            Recorder objective(
+                [&lowest](const std::vector<double> &x)
+                {
+                    lowest = std::min(lowest, bumpyCost(x));
+                    return bumpyCost(x);
+                });
+            double previous = INFINITY;
+            for (int t = 0; t < 30; ++t)
+            {
+                optimizer.step(objective, never);
+                EXPECT_LE(optimizer.bestBrightness().cost, previous);
+                previous = optimizer.bestBrightness().cost;
+                EXPECT_EQ(previous, lowest);
+                const auto &best = optimizer.best();
+                EXPECT_EQ(bumpyCost({best.data(), best.data() + best.size()}), lowest);
+            }
+        }
+
+        TEST(FireflyRun, spendsAtMostOneAndSixEvaluationsAFirefly)
+        {
+            for (const auto variant : {Variant::FA, Variant::MFA})
+            {
+                auto optimizer = makeOptimizer(small(variant));
+                Recorder objective;
+                optimizer.step(objective, never);
+                for (int t = 0; t < 20; ++t)
+                {
+                    const auto before = optimizer.evaluations();
+                    optimizer.step(objective, never);
+                    const auto spent = optimizer.evaluations() - before;
+                    if (variant == Variant::FA)
+                        EXPECT_EQ(spent, 11U);
+                    else
+                        EXPECT_LE(spent, 11U + 60U);
+                }
+            }
+        }
+
+        TEST(FireflyRun, leavesOutTheTrialVectorsThatAreSwitchedOff)
+        {
+            auto settings = small(Variant::MFA);
+            settings.trialVectors = {{false, false, false, false, false}};
+            settings.alphaSchedule = FireflyOptimizer::AlphaSchedule::Constant;
+            settings.betaSchedule = FireflyOptimizer::BetaSchedule::Constant;
+            auto optimizer = makeOptimizer(settings);
+            Recorder objective;
+            for (int t = 0; t <= 4; ++t)
+                optimizer.step(objective, never);
+            EXPECT_EQ(optimizer.evaluations(), 12U + 4U * 11U);
+        }
+
+        TEST(FireflyRun, aCoordinateWithoutRangeStaysPut)
+        {
+            for (const auto variant : {Variant::FA, Variant::MFA})
+            {
+                FireflyOptimizer optimizer(small(variant), Eigen::Vector2d(-1.0, 7.0), Eigen::Vector2d(1.0, 7.0), 2);
+                Recorder objective;
+                for (int t = 0; t <= 10; ++t)
+                    optimizer.step(objective, never);
+                EXPECT_TRUE((optimizer.population().row(1).array() == 7.0).all());
+                EXPECT_TRUE(optimizer.population().allFinite());
+            }
+        }
+
+        TEST(FireflyRun, findsTheOptimumOfEquation19)
+        {
+            // -f, eq. (19), over [-5, 5]^2 with the paper's settings.
+            Recorder objective(
+                [](const std::vector<double> &x)
+                {
+                    const double squared = x[0] * x[0] + x[1] * x[1];
+                    return squared == 0.0 ? -1.0 : -std::sin(squared) / squared;
+                });
+            std::vector<int> near;
+            for (std::uint64_t seed = 1; seed <= 30; ++seed)
+            {
+                FireflyOptimizer optimizer({}, constant(2, -5.0), constant(2, 5.0), seed);
+                for (int t = 0; t <= 50; ++t)
+                    optimizer.step(objective, never);
+                near.push_back(static_cast<int>((optimizer.population().colwise().norm().array() <= 0.5).count()));
+            }
+            std::sort(near.begin(), near.end());
+            EXPECT_GE(near[14], 95);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
