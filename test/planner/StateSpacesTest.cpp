@@ -220,17 +220,19 @@ namespace ompl_mfa
             ompl::RNG rng(5);
             chart.sampleUniform(rng, start.get());
             chart.sampleUniform(rng, goal.get());
-            Eigen::VectorXd origin = Eigen::VectorXd::Zero(chart.positionDimension());
+            const Eigen::VectorXd origin = Eigen::VectorXd::Zero(chart.positionDimension());
             chart.setPositions(origin, start.get());
             chart.setPositions(origin, goal.get());
+            while (space->distance(start.get(), goal.get()) < 1.2)
+                chart.sampleRotations(rng, goal.get());
             // near the place only rotations close to those of start and goal are free
             si->setStateValidityChecker(
                 [&](const ob::State *state)
                 {
                     Eigen::VectorXd positions(chart.positionDimension());
                     chart.positions(state, positions);
-                    return positions.norm() > 0.5 || space->distance(state, start.get()) < 0.5 ||
-                           space->distance(state, goal.get()) < 0.5;
+                    return positions.norm() > 0.5 || space->distance(state, start.get()) < 0.4 ||
+                           space->distance(state, goal.get()) < 0.4;
                 });
             si->setup();
             const auto pdef = std::make_shared<ob::ProblemDefinition>(si);
