@@ -16,10 +16,12 @@ namespace ompl_mfa
         constexpr std::uint64_t DISTANCES_BETWEEN_STOPS = 64;
     }  // namespace
 
-    PathEvaluator::PathEvaluator(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective)
+    PathEvaluator::PathEvaluator(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective,
+                                 unsigned int threads)
       : si_(std::move(si))
       , objective_(std::move(objective))
       , bounds_(si_, objective_)
+      , parallel_(threads > 1 ? std::make_unique<ParallelChecks>(si_, threads) : nullptr)
       , scratch_(si_->allocState())
     {
     }
@@ -93,20 +95,58 @@ namespace ompl_mfa
     {
         if (stopped())
             return false;
-        const std::uint64_t states = si_->getStateSpace()->validSegmentCount(from, to);
-        const bool valid = si_->checkMotion(from, to);
-        work_ += valid ? states : 1 + states / INVALID_EARLY;
+        const bool valid = parallel_ ? parallel_->checkMotion({from, to}) : si_->checkMotion(from, to);
+        countMotion({from, to}, valid);
         return valid;
+    }
+
+    void PathEvaluator::countMotion(const Motion &motion, bool valid)
+    {
+        const std::uint64_t states = si_->getStateSpace()->validSegmentCount(motion.from, motion.to);
+        work_ += valid ? states : 1 + states / INVALID_EARLY;
+    }
+
+    /* Whether motions_[i] is valid, asked of all i in turn: what one thread would not have come to check is neither
+       counted nor acted upon. */
+    bool PathEvaluator::checkNext(std::size_t i)
+    {
+        if (!parallel_)
+            return checkMotion(motions_[i].from, motions_[i].to);
+        if (stopped())
+            return false;
+        if (i == 0)
+            checked_ = 0;
+        if (i == checked_)
+        {
+            valid_.resize(motions_.size());
+            checked_ += parallel_->checkMotions(&motions_[i], motions_.size() - i, &valid_[i]);
+        }
+        countMotion(motions_[i], valid_[i] != 0);
+        return valid_[i] != 0;
+    }
+
+    bool PathEvaluator::checkAll()
+    {
+        for (std::size_t i = 0; i < motions_.size(); ++i)
+        {
+            if (!checkNext(i))
+                return false;
+        }
+        return true;
+    }
+
+    bool PathEvaluator::checkMotions(std::initializer_list<Motion> motions)
+    {
+        motions_.assign(motions);
+        return checkAll();
     }
 
     bool PathEvaluator::checkPath(const Waypoints &path)
     {
+        motions_.clear();
         for (std::size_t i = 1; i < path.size(); ++i)
-        {
-            if (!checkMotion(path[i - 1], path[i]))
-                return false;
-        }
-        return true;
+            motions_.push_back({path[i - 1], path[i]});
+        return checkAll();
     }
 
     bool PathEvaluator::isBrighter(const Brightness &a, const Brightness &b) const
@@ -134,11 +174,15 @@ namespace ompl_mfa
         const std::size_t motions = path.size() - 1;
         // a path that fails often fails where the last one did
         const std::size_t first = partialPath_ || lastInvalid_ >= motions ? 0 : lastInvalid_;
+        const auto number = [first](std::size_t k) { return k == 0 ? first : (k <= first ? k - 1 : k); };
+        motions_.clear();
+        for (std::size_t k = 0; k < motions; ++k)
+            motions_.push_back({path[number(k)], path[number(k) + 1]});
         for (std::size_t k = 0; k < motions; ++k)
         {
-            const std::size_t i = k == 0 ? first : (k <= first ? k - 1 : k);
-            if (checkMotion(path[i], path[i + 1]))
+            if (checkNext(k))
                 continue;
+            const std::size_t i = number(k);
             if (interrupted_)
                 return {};
             lastInvalid_ = i;
@@ -166,8 +210,8 @@ namespace ompl_mfa
     {
         const auto &space = si_->getStateSpace();
         const unsigned int count = std::max(1U, space->validSegmentCount(from, to));
-        unsigned int invalid = 0;
-        for (unsigned int j = 1; j <= count; ++j)
+        unsigned int invalid = parallel_ ? parallel_->countInvalid({from, to}, count) : 0;
+        for (unsigned int j = 1; j <= count && !parallel_; ++j)
         {
             space->interpolate(from, to, static_cast<double>(j) / count, scratch_);
             if (!si_->isValid(scratch_))

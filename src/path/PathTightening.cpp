@@ -266,8 +266,7 @@ namespace ompl_mfa
         evaluator_.addWork(last - first + 3);
         if (!objective->isCostBetterThan(fresh, old))
             return false;
-        if (!evaluator_.checkMotion(a_, b_) || (!fromVertex && !evaluator_.checkMotion(path_[first], a_)) ||
-            (!toVertex && !evaluator_.checkMotion(b_, path_[last + 1])))
+        if (!checkShortcut(fromVertex ? nullptr : path_[first], toVertex ? nullptr : path_[last + 1]))
             return false;
         eraseVertices(first + 1, last + 1, bridge);
         if (!toVertex)
@@ -275,6 +274,19 @@ namespace ompl_mfa
         if (!fromVertex)
             insertVertex(first + 1, a_, head, bridge);
         return true;
+    }
+
+    /* Whether the motion a_ -> b_ is valid, and those that join it to the path \e before and \e after, where they are
+       needed. */
+    bool PathTightening::checkShortcut(const ob::State *before, const ob::State *after)
+    {
+        if (before != nullptr && after != nullptr)
+            return evaluator_.checkMotions({{a_, b_}, {before, a_}, {b_, after}});
+        if (before != nullptr)
+            return evaluator_.checkMotions({{a_, b_}, {before, a_}});
+        if (after != nullptr)
+            return evaluator_.checkMotions({{a_, b_}, {b_, after}});
+        return evaluator_.checkMotion(a_, b_);
     }
 
     /* Whether the motions to and from the vertex, which would cost \e before and \e after, cost less if it were at
@@ -289,7 +301,7 @@ namespace ompl_mfa
 
     bool PathTightening::moveVertex(std::size_t i, const ob::State *state, ob::Cost before, ob::Cost after)
     {
-        if (!evaluator_.checkMotion(path_[i - 1], state) || !evaluator_.checkMotion(state, path_[i + 1]))
+        if (!evaluator_.checkMotions({{path_[i - 1], state}, {state, path_[i + 1]}}))
             return false;
         chart_->space()->copyState(path_[i], state);
         costs_[i - 1] = before;
@@ -463,8 +475,7 @@ namespace ompl_mfa
             const ob::Cost around = objective->combineCosts(objective->combineCosts(before, cut), after);
             if (objective->isCostBetterThan(cornerCost(i), around))
                 continue;
-            if (evaluator_.checkMotion(a_, b_) && evaluator_.checkMotion(path_[i - 1], a_) &&
-                evaluator_.checkMotion(b_, path_[i + 1]))
+            if (evaluator_.checkMotions({{a_, b_}, {path_[i - 1], a_}, {b_, path_[i + 1]}}))
             {
                 space->copyState(path_[i], b_);
                 costs_[i] = after;

@@ -94,7 +94,7 @@ namespace ompl_mfa
         }
         query_->reset(*pdef_);
         incumbent_->reset(objective_);
-        evaluator_ = std::make_unique<PathEvaluator>(si_, objective_);
+        evaluator_ = std::make_unique<PathEvaluator>(si_, objective_, threads_);
         evaluator_->setPartialPathEvent([this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
                                         { offerPartial(path, motion, lastValid); });
         runSeed_ = seed_ != 0 ? seed_ : static_cast<std::uint64_t>(rng_.uniformInt(1, 1 << 30));

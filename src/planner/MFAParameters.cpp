@@ -12,6 +12,7 @@ namespace ompl_mfa
     namespace
     {
         constexpr unsigned int MAX_SLICES = 1000;
+        constexpr unsigned int MAX_THREADS = 64;
         /* Fireflies of the paper, and of a swarm that other parts assist. */
         constexpr unsigned int PAPER_POPULATION = 100;
         constexpr unsigned int POPULATION = 30;
@@ -50,6 +51,7 @@ namespace ompl_mfa
         declare("recombination", &MFA::setRecombination, &MFA::getRecombination, "0,1");
         declare("tightening", &MFA::setTightening, &MFA::getTightening, "0,1");
         declare("seed", &MFA::setSeed, &MFA::getSeed, "0:1:4294967295");
+        declare("threads", &MFA::setThreads, &MFA::getThreads, "1:1:64");
     }
 
     template <typename T>
@@ -194,5 +196,18 @@ namespace ompl_mfa
     std::uint32_t MFA::getSeed() const
     {
         return seed_;
+    }
+
+    void MFA::setThreads(unsigned int threads)
+    {
+        if (threads < 1 || threads > MAX_THREADS)
+            throw ompl::Exception(
+                "MFA", "threads = " + std::to_string(threads) + ": accepted is 1 to " + std::to_string(MAX_THREADS));
+        threads_ = threads;
+    }
+
+    unsigned int MFA::getThreads() const
+    {
+        return threads_;
     }
 }  // namespace ompl_mfa

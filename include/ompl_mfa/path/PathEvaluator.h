@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
+#include <memory>
 #include <vector>
 
 #include <ompl/base/OptimizationObjective.h>
@@ -11,6 +13,8 @@
 
 #include "ompl_mfa/optimizer/ObjectiveFunction.h"
 #include "ompl_mfa/path/CostBounds.h"
+#include "ompl_mfa/path/Motion.h"
+#include "ompl_mfa/path/ParallelChecks.h"
 #include "ompl_mfa/path/Waypoints.h"
 
 namespace ompl_mfa
@@ -20,13 +24,17 @@ namespace ompl_mfa
         them than the answer needs.
 
         It counts its work in state checks, so that the work of the parts of a planner can be compared without a
-        clock. Not thread-safe; each thread has its own. */
+        clock. Not thread-safe; each thread has its own. With several threads of its own it checks states and motions
+        in parallel, and nothing else: its answers, its work and when it asks the stop condition are those of one. */
     class PathEvaluator
     {
     public:
         using StopCondition = std::function<bool()>;
 
-        PathEvaluator(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective);
+        /** \brief \e threads >= 1 is how many threads check states and motions, the calling one included. With more
+            than one, the validity checker and the motion validator are called from them at once. */
+        PathEvaluator(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective,
+                      unsigned int threads = 1);
         ~PathEvaluator();
         PathEvaluator(const PathEvaluator &) = delete;
         PathEvaluator &operator=(const PathEvaluator &) = delete;
@@ -83,6 +91,10 @@ namespace ompl_mfa
         /** \brief Whether the motion is valid; \e from is taken to be a valid state. */
         bool checkMotion(const ompl::base::State *from, const ompl::base::State *to);
 
+        /** \brief Whether all \e motions are valid; the first state of each is taken to be, or to be the last of one
+            before it. None is checked after an invalid one, unless another thread has time for it. */
+        bool checkMotions(std::initializer_list<Motion> motions);
+
         /** \brief Whether all motions of \e path are valid; its first state is taken to be. */
         bool checkPath(const Waypoints &path);
 
@@ -120,6 +132,9 @@ namespace ompl_mfa
         }
 
     private:
+        void countMotion(const Motion &motion, bool valid);
+        bool checkNext(std::size_t i);
+        bool checkAll();
         void reportPartialPath(const Waypoints &path, std::size_t motion);
         double invalidLength(const ompl::base::State *from, const ompl::base::State *to);
 
@@ -129,6 +144,10 @@ namespace ompl_mfa
         std::vector<ompl::base::Cost> motionCosts_;
         StopCondition stop_;
         PartialPathEvent partialPath_;
+        std::unique_ptr<ParallelChecks> parallel_;  ///< null with one thread
+        std::vector<Motion> motions_;               ///< that are to be checked one after the other
+        std::vector<unsigned char> valid_;          ///< of motions_, as many as were checked, maybe ahead
+        std::size_t checked_{0};
         ompl::base::State *scratch_;
         std::uint64_t work_{0};
         std::uint64_t distances_{0};

@@ -96,6 +96,7 @@ namespace ompl_mfa
         StepKind chooseStep();
         bool makeStep(StepKind kind, std::size_t i);
         bool shortcut();
+        bool checkShortcut(const ompl::base::State *before, const ompl::base::State *after);
         void removeVertices();
         bool remove(std::size_t i);
         bool pull(std::size_t i);

@@ -78,6 +78,8 @@ namespace ompl_mfa
         bool getTightening() const;
         void setSeed(std::uint32_t seed);
         std::uint32_t getSeed() const;
+        void setThreads(unsigned int threads);
+        unsigned int getThreads() const;
         /** @} */
 
         /** \brief The fireflies' paths as they are now, brightest first; empty before solve(). */
@@ -184,6 +186,7 @@ namespace ompl_mfa
         unsigned int populationSize_{0};
         unsigned int slices_{12};
         std::uint32_t seed_{0};
+        unsigned int threads_{1};
         bool useTrees_{true};
         bool useRoadmap_{true};
         bool useRecombination_{true};

@@ -1,0 +1,59 @@
+#ifndef OMPL_MFA_PATH_WORKER_POOL_
+#define OMPL_MFA_PATH_WORKER_POOL_
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace ompl_mfa
+{
+    /** \brief Threads that help the calling one with many small tasks. They sleep in between. */
+    class WorkerPool
+    {
+    public:
+        /** \brief One of the tasks of a run, called with the number of the thread that takes it, 0 being the caller of
+            run(), and its own number. False: no further task is needed. */
+        using Task = std::function<bool(std::size_t thread, std::size_t task)>;
+
+        /** \brief A pool of \e threads >= 1 threads, the calling one included. */
+        explicit WorkerPool(unsigned int threads);
+        ~WorkerPool();
+        WorkerPool(const WorkerPool &) = delete;
+        WorkerPool &operator=(const WorkerPool &) = delete;
+
+        std::size_t threads() const
+        {
+            return workers_.size() + 1;
+        }
+
+        /** \brief Calls \e task for 0 to \e count - 1, each once and in this order of beginning, until one of them
+            returns false. Returns whether none did, when no thread is in a task any more. The first exception that a
+            task throws is thrown here. */
+        bool run(std::size_t count, const Task &task);
+
+    private:
+        void work(std::size_t thread);
+        void takeTasks(std::size_t thread, const Task &task, std::size_t count);
+        void end();
+
+        std::mutex mutex_;
+        std::condition_variable begun_;
+        std::condition_variable left_;
+        const Task *task_{nullptr};  ///< of the run that workers may join
+        std::size_t count_{0};
+        std::size_t runs_{0};
+        std::size_t active_{0};  ///< workers in the run
+        bool ending_{false};
+        std::exception_ptr error_;
+        std::atomic<std::size_t> next_{0};
+        std::atomic<bool> all_{true};
+        std::vector<std::thread> workers_;
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,146 @@
+#include "ompl_mfa/path/ParallelChecks.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+#include <ompl/base/DiscreteMotionValidator.h>
+
+#include "ompl_mfa/path/ExactType.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Checks that take less than this, in s, are done before another thread has woken up. */
+        constexpr double WAKE_UP = 30e-6;
+        /* States of a motion that are checked after its last by the calling thread, before others help: they tell how
+           long the rest will take, and find most of the motions out that are invalid. */
+        constexpr std::size_t ALONE = 1;
+
+        class Stopwatch
+        {
+        public:
+            double seconds() const
+            {
+                return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+            }
+
+        private:
+            std::chrono::steady_clock::time_point begin_{std::chrono::steady_clock::now()};
+        };
+    }  // namespace
+
+    ParallelChecks::ParallelChecks(ob::SpaceInformationPtr si, unsigned int threads)
+      : si_(std::move(si))
+      , pool_(threads)
+      , scratch_(si_->getStateSpace())
+    {
+        scratch_.resize(threads);
+    }
+
+    bool ParallelChecks::splitsMotions() const
+    {
+        return isExactly<ob::DiscreteMotionValidator>(*si_->getMotionValidator());
+    }
+
+    bool ParallelChecks::isValidAt(std::size_t thread, const Motion &motion, unsigned int state, unsigned int count)
+    {
+        si_->getStateSpace()->interpolate(motion.from, motion.to, static_cast<double>(state) / count, scratch_[thread]);
+        return si_->isValid(scratch_[thread]);
+    }
+
+    bool ParallelChecks::checkMotion(const Motion &motion)
+    {
+        if (splitsMotions())
+            return checkStates(motion);
+        const Stopwatch watch;
+        const bool valid = si_->checkMotion(motion.from, motion.to);
+        motionTime_ = watch.seconds();
+        return valid;
+    }
+
+    std::size_t ParallelChecks::checkMotions(const Motion *motions, std::size_t count, unsigned char *valid)
+    {
+        count = std::min(count, motionsAtOnce());
+        if (count == 1 || motionTime_ < WAKE_UP)
+        {
+            *valid = checkMotion(*motions) ? 1 : 0;
+            return 1;
+        }
+        pool_.run(count,
+                  [&](std::size_t thread, std::size_t i)
+                  {
+                      const Stopwatch watch;
+                      valid[i] = si_->checkMotion(motions[i].from, motions[i].to) ? 1 : 0;
+                      if (thread == 0)
+                          motionTime_ = watch.seconds();
+                      return true;
+                  });
+        return count;
+    }
+
+    /* The states that DiscreteMotionValidator checks, and in its order. */
+    bool ParallelChecks::checkStates(const Motion &motion)
+    {
+        const Stopwatch watch;
+        if (!si_->isValid(motion.to))
+            return false;
+        const unsigned int count = si_->getStateSpace()->validSegmentCount(motion.from, motion.to);
+        bisect(count);
+        const std::size_t alone = std::min(ALONE, order_.size());
+        for (std::size_t i = 0; i < alone; ++i)
+        {
+            if (!isValidAt(0, motion, order_[i], count))
+                return false;
+        }
+        const std::size_t left = order_.size() - alone;
+        if (left * watch.seconds() < (alone + 1) * WAKE_UP)
+            return std::all_of(order_.begin() + static_cast<std::ptrdiff_t>(alone), order_.end(),
+                               [&](unsigned int state) { return isValidAt(0, motion, state, count); });
+        return pool_.run(left, [&](std::size_t thread, std::size_t i)
+                         { return isValidAt(thread, motion, order_[alone + i], count); });
+    }
+
+    /* The numbers 1 to \e count - 1, the middle first, then those of the halves, and so on. */
+    void ParallelChecks::bisect(unsigned int count)
+    {
+        order_.clear();
+        intervals_.clear();
+        if (count >= 2)
+            intervals_.emplace_back(1, count - 1);
+        for (std::size_t i = 0; i < intervals_.size(); ++i)
+        {
+            const auto [first, last] = intervals_[i];
+            const unsigned int middle = (first + last) / 2;
+            order_.push_back(middle);
+            if (first < middle)
+                intervals_.emplace_back(first, middle - 1);
+            if (last > middle)
+                intervals_.emplace_back(middle + 1, last);
+        }
+    }
+
+    unsigned int ParallelChecks::countInvalid(const Motion &motion, unsigned int count)
+    {
+        std::atomic<unsigned int> invalid{0};
+        const auto check = [&](std::size_t thread, std::size_t i)
+        {
+            if (!isValidAt(thread, motion, static_cast<unsigned int>(i) + 1, count))
+                ++invalid;
+            return true;
+        };
+        const Stopwatch watch;
+        check(0, 0);
+        if ((count - 1) * watch.seconds() < WAKE_UP)
+        {
+            for (std::size_t i = 1; i < count; ++i)
+                check(0, i);
+        }
+        else
+            pool_.run(count - 1, [&](std::size_t thread, std::size_t i) { return check(thread, i + 1); });
+        return invalid;
+    }
+}  // namespace ompl_mfa

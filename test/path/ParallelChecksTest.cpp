@@ -1,0 +1,151 @@
+/* Several threads answer as one does, and count as one does; only sooner. */
+
+#include "ompl_mfa/path/ParallelChecks.h"
+
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "ompl_mfa/path/PathEvaluator.h"
+#include "path/SlowProblem.h"
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* The square [0, 10]^2 with a wall 4.5 < x < 5.5 below y = 6; whole motions or single states are shared out. */
+        class ParallelChecksTest : public ::testing::TestWithParam<bool>
+        {
+        protected:
+            static bool outsideWall(const ob::State *state)
+            {
+                const auto *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                return values[0] <= 4.5 || values[0] >= 5.5 || values[1] >= 6.0;
+            }
+
+            ob::StateSpacePtr space_ = test::realVectorSpace(2, 0.0, 10.0);
+            test::SlowProblem problem_{space_, GetParam(), std::chrono::microseconds(5), outsideWall};
+        };
+
+        struct ValidatorName
+        {
+            std::string operator()(const ::testing::TestParamInfo<bool> &wholeMotions) const
+            {
+                return wholeMotions.param ? "WholeMotions" : "States";
+            }
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Path, ParallelChecksTest, ::testing::Bool(), ValidatorName());
+
+        struct Answers
+        {
+            std::vector<double> values;
+            std::uint64_t asked{0};
+        };
+
+        /* Asks for 60 random paths, with rivals and without, until the stop condition ends it. */
+        Answers answers(const ob::SpaceInformationPtr &si, unsigned int threads, std::uint64_t stopAfter)
+        {
+            PathEvaluator evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si), threads);
+            Answers result;
+            evaluator.setStopCondition([&] { return ++result.asked > stopAfter; });
+            ompl::RNG rng(42);
+            Waypoints path(si->getStateSpace());
+            const Brightness feasible{0.0, 15.0};
+            const Brightness blocked{1.5, 10.0};
+            for (int i = 0; i < 60; ++i)
+            {
+                path.resize(static_cast<std::size_t>(rng.uniformInt(2, 7)));
+                for (std::size_t k = 0; k < path.size(); ++k)
+                {
+                    auto *values = path[k]->as<ob::RealVectorStateSpace::StateType>()->values;
+                    values[0] = rng.uniformReal(0.0, 4.4) + (i % 2 == 0 && k > 1 ? 5.6 : 0.0);
+                    values[1] = rng.uniformReal(4.0, 10.0);
+                }
+                const Brightness *rival = i % 3 == 0 ? nullptr : (i % 3 == 1 ? &feasible : &blocked);
+                const Brightness brightness = evaluator.evaluate(path, rival);
+                result.values.push_back(brightness.violation);
+                result.values.push_back(brightness.cost);
+                result.values.push_back(evaluator.checkPath(path) ? 1.0 : 0.0);
+                result.values.push_back(evaluator.checkMotion(path.front(), path.back()) ? 1.0 : 0.0);
+                result.values.push_back(static_cast<double>(evaluator.work()));
+            }
+            return result;
+        }
+
+        TEST_P(ParallelChecksTest, AnswersAndWorkAreThoseOfOneThread)
+        {
+            for (const std::uint64_t stopAfter : {100000U, 57U, 200U})
+            {
+                const Answers one = answers(problem_.si, 1, stopAfter);
+                for (const unsigned int threads : {2U, 3U, 5U})
+                {
+                    const Answers several = answers(problem_.si, threads, stopAfter);
+                    EXPECT_EQ(several.values, one.values) << threads << " threads, stopped after " << stopAfter;
+                    EXPECT_EQ(several.asked, one.asked) << threads << " threads, stopped after " << stopAfter;
+                }
+            }
+            EXPECT_LE(problem_.mostInside, 5U);
+        }
+
+        TEST_P(ParallelChecksTest, OneThreadIsNeverJoinedByAnother)
+        {
+            answers(problem_.si, 1, 100000);
+            EXPECT_EQ(problem_.mostInside, 1U);
+        }
+
+        TEST_P(ParallelChecksTest, OfAValidPathNoStateIsCheckedTwice)
+        {
+            PathEvaluator evaluator(problem_.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si), 3);
+            Waypoints path(space_);
+            path.resize(6);
+            for (std::size_t k = 0; k < path.size(); ++k)
+            {
+                auto *values = path[k]->as<ob::RealVectorStateSpace::StateType>()->values;
+                values[0] = k % 2 == 0 ? 0.5 : 9.5;
+                values[1] = 7.0 + 0.5 * static_cast<double>(k);
+            }
+            const std::uint64_t states = problem_.states;
+            EXPECT_TRUE(evaluator.checkPath(path));
+            EXPECT_EQ(problem_.states - states, evaluator.work());
+        }
+
+        TEST_P(ParallelChecksTest, AnExceptionOfTheCheckerReachesTheCaller)
+        {
+            const auto caller = std::this_thread::get_id();
+            test::SlowProblem failing(space_, GetParam(), std::chrono::microseconds(50),
+                                      [caller](const ob::State *)
+                                      {
+                                          if (std::this_thread::get_id() != caller)
+                                              throw std::domain_error("not here");
+                                          return true;
+                                      });
+            PathEvaluator evaluator(failing.si, std::make_shared<ob::PathLengthOptimizationObjective>(failing.si), 3);
+            Waypoints path(space_);
+            path.resize(4);
+            for (std::size_t k = 0; k < path.size(); ++k)
+            {
+                auto *values = path[k]->as<ob::RealVectorStateSpace::StateType>()->values;
+                values[0] = k % 2 == 0 ? 0.5 : 9.5;
+                values[1] = static_cast<double>(k);
+            }
+            const auto checkUntilAWorkerHelps = [&]
+            {
+                for (int i = 0; i < 10000; ++i)
+                    evaluator.checkPath(path);
+            };
+            EXPECT_THROW(checkUntilAWorkerHelps(), std::domain_error);
+        }
+    }  // namespace
+}  // namespace ompl_mfa

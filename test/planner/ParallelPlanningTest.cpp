@@ -1,0 +1,121 @@
+/* One planner with several threads: the same search, sooner. */
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "path/SlowProblem.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* The wall problem with states that take long; whole motions or single states are shared out. */
+        class ParallelPlanning : public ::testing::TestWithParam<std::tuple<test::Engine, bool>>
+        {
+        protected:
+            ParallelPlanning()
+            {
+                ob::ScopedState<> start(problem_.si);
+                ob::ScopedState<> goal(problem_.si);
+                start = std::vector<double>{1.0, 1.0};
+                goal = std::vector<double>{9.0, 1.0};
+                pdef_->setStartAndGoalStates(start, goal);
+            }
+
+            std::shared_ptr<MFA> planner(unsigned int threads) const
+            {
+                auto result = test::makePlanner(problem_.si, std::get<0>(GetParam()));
+                test::set(*result, "threads", std::to_string(threads));
+                pdef_->clearSolutionPaths();
+                result->setProblemDefinition(pdef_);
+                return result;
+            }
+
+            /* All costs that a run publishes, and how far it came. */
+            std::vector<double> run(unsigned int threads, std::uint64_t calls) const
+            {
+                const auto mfa = planner(threads);
+                std::vector<double> result;
+                pdef_->setIntermediateSolutionCallback([&](const ob::Planner *, const std::vector<const ob::State *> &,
+                                                           const ob::Cost cost) { result.push_back(cost.value()); });
+                mfa->solve(test::afterCalls(calls));
+                EXPECT_TRUE(pdef_->getSolutionPath()->check());
+                pdef_->setIntermediateSolutionCallback({});
+                result.push_back(static_cast<double>(mfa->evaluations()));
+                result.push_back(static_cast<double>(mfa->iterations()));
+                for (const double share : mfa->shares())
+                    result.push_back(share);
+                return result;
+            }
+
+            std::atomic<bool> refusesHelpers_{false};
+            std::thread::id caller_{std::this_thread::get_id()};
+            test::SlowProblem problem_{test::realVectorSpace(2, 0.0, 10.0), std::get<1>(GetParam()),
+                                       std::chrono::microseconds(5),
+                                       [this](const ob::State *state)
+                                       {
+                                           if (refusesHelpers_ && std::this_thread::get_id() != caller_)
+                                               throw std::domain_error("a checker for one thread");
+                                           const double x = test::coordinate(state, 0);
+                                           return x <= 4.5 || x >= 5.5 || test::coordinate(state, 1) >= 6.0;
+                                       }};
+            ob::ProblemDefinitionPtr pdef_{std::make_shared<ob::ProblemDefinition>(problem_.si)};
+        };
+
+        struct CaseName
+        {
+            std::string operator()(const ::testing::TestParamInfo<std::tuple<test::Engine, bool>> &run) const
+            {
+                const auto [engine, wholeMotions] = run.param;
+                return std::string(engine == test::Engine::Paper ? "Paper" : "Default") +
+                       (wholeMotions ? "WholeMotions" : "States");
+            }
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, ParallelPlanning,
+                                 ::testing::Combine(::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                                    ::testing::Bool()),
+                                 CaseName());
+
+        TEST_P(ParallelPlanning, ARunIsTheSameWithAnyNumberOfThreads)
+        {
+            const std::vector<double> one = run(1, 2500);
+            EXPECT_EQ(problem_.mostInside, 1U);
+            EXPECT_GT(one.size(), 8U);
+            EXPECT_EQ(run(3, 2500), one);
+            EXPECT_EQ(run(3, 2500), one);
+            EXPECT_EQ(run(2, 2500), one);
+            EXPECT_LE(problem_.mostInside, 3U);
+        }
+
+        TEST_P(ParallelPlanning, SeveralThreadsAreInTheCheckerAtOnce)
+        {
+            const auto enough = ob::PlannerTerminationCondition([this] { return problem_.mostInside > 1; });
+            planner(4)->solve(ob::plannerOrTerminationCondition(enough, ob::timedPlannerTerminationCondition(60.0)));
+            EXPECT_GT(problem_.mostInside, 1U);
+            EXPECT_LE(problem_.mostInside, 4U);
+        }
+
+        TEST_P(ParallelPlanning, AnExceptionOfTheCheckerReachesTheCallerOfSolve)
+        {
+            const auto mfa = planner(3);
+            refusesHelpers_ = true;
+            EXPECT_THROW(mfa->solve(ob::timedPlannerTerminationCondition(60.0)), std::domain_error);
+            refusesHelpers_ = false;
+            mfa->clear();
+            pdef_->clearSolutionPaths();
+            EXPECT_EQ(mfa->solve(test::untilExact(pdef_)), ob::PlannerStatus::EXACT_SOLUTION);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
