@@ -96,14 +96,14 @@ namespace ompl_mfa
         if (stopped())
             return false;
         const bool valid = parallel_ ? parallel_->checkMotion({from, to}) : si_->checkMotion(from, to);
-        countMotion({from, to}, valid);
+        work_ += motionWork(*si_, {from, to}, valid);
         return valid;
     }
 
-    void PathEvaluator::countMotion(const Motion &motion, bool valid)
+    std::uint64_t PathEvaluator::motionWork(const ob::SpaceInformation &si, const Motion &motion, bool valid)
     {
-        const std::uint64_t states = si_->getStateSpace()->validSegmentCount(motion.from, motion.to);
-        work_ += valid ? states : 1 + states / INVALID_EARLY;
+        const std::uint64_t states = si.getStateSpace()->validSegmentCount(motion.from, motion.to);
+        return valid ? states : 1 + states / INVALID_EARLY;
     }
 
     /* Whether motions_[i] is valid, asked of all i in turn: what one thread would not have come to check is neither
@@ -121,7 +121,7 @@ namespace ompl_mfa
             valid_.resize(motions_.size());
             checked_ += parallel_->checkMotions(&motions_[i], motions_.size() - i, &valid_[i]);
         }
-        countMotion(motions_[i], valid_[i] != 0);
+        work_ += motionWork(*si_, motions_[i], valid_[i] != 0);
         return valid_[i] != 0;
     }
 

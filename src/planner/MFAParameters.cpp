@@ -210,4 +210,9 @@ namespace ompl_mfa
     {
         return threads_;
     }
+
+    void MFA::setGuidePlanner(const ompl::base::PlannerAllocator &allocator)
+    {
+        guidePlanner_ = allocator;
+    }
 }  // namespace ompl_mfa

@@ -46,6 +46,8 @@ namespace ompl_mfa
     void MFA::prepareParts()
     {
         spent_.assign(PARTS, 0.0);
+        if (guidePlanner_)
+            plannerGuide_ = std::make_unique<PlannerGuide>(guidePlanner_, query_->goal(), *evaluator_);
         shareForFirstPath();
         if (useTrees_)
             trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
@@ -69,6 +71,8 @@ namespace ompl_mfa
         sharing_.add(0.01, 0.01, 0.0);  // TIGHTENING
         sharing_.add(0.61, 0.61, 0.0);  // TREES
         sharing_.add(0.30, 0.30, 0.0);  // ROADMAP
+        if (plannerGuide_)
+            sharing_.add(0.30, 0.30, 0.0);  // PLANNER
     }
 
     void MFA::shareForImprovement()
@@ -81,6 +85,8 @@ namespace ompl_mfa
         sharing_.add(0.30, 0.12, 0.0);           // TIGHTENING
         sharing_.add(0.15, 0.08, soFar / 0.15);  // TREES
         sharing_.add(0.20, 0.32, 0.0);           // ROADMAP
+        if (plannerGuide_)
+            sharing_.add(0.20, 0.20, 0.0);  // PLANNER
     }
 
     void MFA::forgetParts()
@@ -92,6 +98,7 @@ namespace ompl_mfa
         nextSwarm_ = nextAxis_ = 0;
         trees_.reset();
         roadmap_.reset();
+        plannerGuide_.reset();
         tightening_.reset();
         newTightening_.reset();
         tighteningStale_ = false;
@@ -103,7 +110,8 @@ namespace ompl_mfa
     {
         std::vector<bool> available(PARTS, false);
         const bool ends = !query_->starts().empty() && !query_->goals().empty();
-        const bool guided = ends && (trees_ || roadmap_);
+        const bool guidePlanner = ends && plannerGuide_ && plannerGuide_->accepts(*query_);
+        const bool guided = guidePlanner || (ends && (trees_ || roadmap_));
         const bool waiting = guided && !incumbent_->hasPath() && evaluator_->work() < FIRST_GUIDES;
         available[FIREFLIES] = !waiting && (!swarms_.empty() || curvedSwarm_);
         available[RECOMBINATION] = !waiting && useRecombination_ && activeSwarm_ != nullptr &&
@@ -111,6 +119,7 @@ namespace ompl_mfa
         available[TIGHTENING] = tightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
         available[TREES] = trees_ && ends;
         available[ROADMAP] = roadmap_ && ends;
+        available[PLANNER] = guidePlanner;
         return available;
     }
 
@@ -126,8 +135,10 @@ namespace ompl_mfa
                 return tighten(work);
             case TREES:
                 return follow(*trees_, work);
-            default:
+            case ROADMAP:
                 return follow(*roadmap_, work);
+            default:
+                return follow(*plannerGuide_, work);
         }
     }
 
@@ -229,7 +240,7 @@ namespace ompl_mfa
     /* The swarms take turns by generations; the curved one has every other. */
     void MFA::chooseSwarm()
     {
-        const bool curved = useTightening_ || useTrees_ || useRoadmap_;
+        const bool curved = useTightening_ || useTrees_ || useRoadmap_ || plannerGuide_;
         if (curved && incumbent_->hasPath() && nextSwarm_++ % 2 == 0)
         {
             const bool improved =

@@ -118,6 +118,9 @@ namespace ompl_mfa
             std::function<void(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid)>;
         void setPartialPathEvent(PartialPathEvent event);
 
+        /** \brief The work of checking a motion that turned out \e valid or not, in state checks. */
+        static std::uint64_t motionWork(const ompl::base::SpaceInformation &si, const Motion &motion, bool valid);
+
         /** \brief Work done so far, in state checks: states whose validity was asked for, counted by the resolution of
             each motion, and what else was added. Unlike time it is the same in every run. */
         std::uint64_t work() const
@@ -132,7 +135,6 @@ namespace ompl_mfa
         }
 
     private:
-        void countMotion(const Motion &motion, bool valid);
         bool checkNext(std::size_t i);
         bool checkAll();
         void reportPartialPath(const Waypoints &path, std::size_t motion);

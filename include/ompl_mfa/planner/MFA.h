@@ -17,6 +17,7 @@
 #include "ompl_mfa/path/SliceFrame.h"
 #include "ompl_mfa/path/StateChart.h"
 #include "ompl_mfa/planner/Incumbent.h"
+#include "ompl_mfa/planner/PlannerGuide.h"
 #include "ompl_mfa/planner/Query.h"
 #include "ompl_mfa/planner/RoadmapGuide.h"
 #include "ompl_mfa/planner/Swarm.h"
@@ -82,6 +83,11 @@ namespace ompl_mfa
         unsigned int getThreads() const;
         /** @} */
 
+        /** \brief A planner that searches in turns with the other parts, beside the guides that the parameter \e guide
+            names: what it solves, MFA solves, and its paths are tightened as those of the others are. A null allocator
+            (the default) is none. Takes effect with the next solve() after clear(). */
+        void setGuidePlanner(const ompl::base::PlannerAllocator &allocator);
+
         /** \brief The fireflies' paths as they are now, brightest first; empty before solve(). */
         std::vector<ompl::geometric::PathGeometric> getSwarmPaths() const;
 
@@ -95,8 +101,8 @@ namespace ompl_mfa
         /** \brief Firefly generations so far. Safe to call while solve() runs. */
         std::uint64_t iterations() const;
 
-        /** \brief The share of each part in the work so far, in (0, 1): fireflies, recombination, tightening, trees and
-            roadmap. */
+        /** \brief The share of each part in the work so far, in [0, 1]: fireflies, recombination, tightening, trees,
+            roadmap and guide planner. */
         std::vector<double> shares() const;
 
         /** \brief Path evaluations so far. Safe to call while solve() runs. */
@@ -111,6 +117,7 @@ namespace ompl_mfa
             TIGHTENING,
             TREES,
             ROADMAP,
+            PLANNER,
             PARTS
         };
 
@@ -165,6 +172,7 @@ namespace ompl_mfa
 
         std::unique_ptr<TreeGuide> trees_;
         std::unique_ptr<RoadmapGuide> roadmap_;
+        std::unique_ptr<PlannerGuide> plannerGuide_;
         std::unique_ptr<PathTightening> tightening_;     ///< of the best path
         std::unique_ptr<PathTightening> newTightening_;  ///< of a path that a guide or a splice came upon
         bool tighteningStale_{false};
@@ -187,6 +195,7 @@ namespace ompl_mfa
         unsigned int slices_{12};
         std::uint32_t seed_{0};
         unsigned int threads_{1};
+        ompl::base::PlannerAllocator guidePlanner_;
         bool useTrees_{true};
         bool useRoadmap_{true};
         bool useRecombination_{true};

@@ -1,0 +1,58 @@
+#ifndef OMPL_MFA_PLANNER_PLANNER_GUIDE_
+#define OMPL_MFA_PLANNER_PLANNER_GUIDE_
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+
+#include <ompl/base/Planner.h>
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/goals/GoalStates.h>
+
+#include "ompl_mfa/path/PathEvaluator.h"
+#include "ompl_mfa/planner/Guide.h"
+
+namespace ompl_mfa
+{
+    /** \brief Any other planner as a guide: it goes on in each turn from where it stopped, on a problem definition of
+       its own with the query's starts, goals and objective. One that returns before its turn is over has done what it
+       can do, as planners do that end with their first path: it is cleared and begins anew.
+
+        Its work is counted in state checks, for which it gets a space information of its own that counts and otherwise
+        asks the evaluator's, and in looks at its termination condition. */
+    class PlannerGuide : public Guide
+    {
+    public:
+        /** \brief \e goal is the query's. \e evaluator outlives the object. */
+        PlannerGuide(const ompl::base::PlannerAllocator &allocator, const ompl::base::GoalPtr &goal,
+                     PathEvaluator &evaluator);
+
+        /** \brief A path that does not hold, to the evaluator or as an answer to the query, is passed over. */
+        bool advance(const Query &query, double bound, std::uint64_t work, Waypoints &path) override;
+
+        /** \brief Whether a turn may lead to anything: false once the planner refused the query as it is. */
+        bool accepts(const Query &query) const;
+
+    private:
+        void addEnds(const Query &query);
+        ompl::base::PlannerStatus run(std::uint64_t work);
+        void beginAnew();
+        bool takePath(const Query &query, Waypoints &path);
+        bool holds(const Query &query, const Waypoints &path);
+
+        PathEvaluator &evaluator_;
+        std::shared_ptr<std::atomic<std::uint64_t>> checked_;  ///< states that the planner had checked in this turn
+        std::mutex stopMutex_;  ///< held while a thread of the planner asks whether to stop
+        ompl::base::SpaceInformationPtr si_;
+        std::shared_ptr<ompl::base::GoalStates> goals_;
+        ompl::base::ProblemDefinitionPtr pdef_;
+        ompl::base::PlannerPtr planner_;
+        bool returnedEarly_{false};     ///< from the last turn
+        ompl::base::Cost taken_;        ///< of the best path of the planner since it began
+        std::size_t refusedStarts_{0};  ///< how many states there were when it refused the query
+        std::size_t refusedGoals_{0};
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,243 @@
+#include "ompl_mfa/planner/PlannerGuide.h"
+
+#include <utility>
+
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/Exception.h>
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        using Count = std::shared_ptr<std::atomic<std::uint64_t>>;
+
+        class CountingChecker : public ob::StateValidityChecker
+        {
+        public:
+            CountingChecker(const ob::SpaceInformationPtr &si, Count count)
+              : StateValidityChecker(si)
+              , checker_(si->getStateValidityChecker())
+              , count_(std::move(count))
+            {
+                specs_ = checker_->getSpecs();
+            }
+
+            bool isValid(const ob::State *state) const override
+            {
+                ++*count_;
+                return checker_->isValid(state);
+            }
+
+            double clearance(const ob::State *state) const override
+            {
+                ++*count_;
+                return checker_->clearance(state);
+            }
+
+            double clearance(const ob::State *state, ob::State *validState, bool &available) const override
+            {
+                ++*count_;
+                return checker_->clearance(state, validState, available);
+            }
+
+        private:
+            ob::StateValidityCheckerPtr checker_;
+            Count count_;
+        };
+
+        class CountingValidator : public ob::MotionValidator
+        {
+        public:
+            CountingValidator(const ob::SpaceInformationPtr &si, Count count)
+              : MotionValidator(si)
+              , user_(si)
+              , count_(std::move(count))
+            {
+            }
+
+            bool checkMotion(const ob::State *from, const ob::State *to) const override
+            {
+                const bool valid = user_->getMotionValidator()->checkMotion(from, to);
+                *count_ += PathEvaluator::motionWork(*user_, {from, to}, valid);
+                return valid;
+            }
+
+            bool checkMotion(const ob::State *from, const ob::State *to,
+                             std::pair<ob::State *, double> &lastValid) const override
+            {
+                const bool valid = user_->getMotionValidator()->checkMotion(from, to, lastValid);
+                *count_ += PathEvaluator::motionWork(*user_, {from, to}, valid);
+                return valid;
+            }
+
+        private:
+            ob::SpaceInformationPtr user_;
+            Count count_;
+        };
+
+        /* The user's space information as seen by a planner whose work is counted. */
+        class CountedSpaceInformation : public ob::SpaceInformation
+        {
+        public:
+            CountedSpaceInformation(const ob::SpaceInformationPtr &user, const Count &count)
+              : SpaceInformation(user->getStateSpace())
+            {
+                setStateValidityChecker(std::make_shared<CountingChecker>(user, count));
+                setMotionValidator(std::make_shared<CountingValidator>(user, count));
+                setValidStateSamplerAllocator([user](const ob::SpaceInformation *)
+                                              { return user->allocValidStateSampler(); });
+                // the space was set up with the user's space information and may be in use by other threads
+                setup_ = true;
+            }
+        };
+
+        /* The goal states that are known, which any planner can sample, and what else the user's goal is satisfied
+           with. */
+        class KnownGoals : public ob::GoalStates
+        {
+        public:
+            KnownGoals(const ob::SpaceInformationPtr &si, ob::GoalPtr goal)
+              : GoalStates(si)
+              , goal_(std::move(goal))
+            {
+                if (goal_->hasType(ob::GOAL_REGION))
+                    setThreshold(goal_->as<ob::GoalRegion>()->getThreshold());
+            }
+
+            double distanceGoal(const ob::State *state) const override
+            {
+                double distance = 0.0;
+                goal_->isSatisfied(state, &distance);
+                return distance;
+            }
+
+            bool isSatisfied(const ob::State *state) const override
+            {
+                return goal_->isSatisfied(state);
+            }
+
+            bool isSatisfied(const ob::State *state, double *distance) const override
+            {
+                return goal_->isSatisfied(state, distance);
+            }
+
+        private:
+            ob::GoalPtr goal_;
+        };
+    }  // namespace
+
+    PlannerGuide::PlannerGuide(const ob::PlannerAllocator &allocator, const ob::GoalPtr &goal, PathEvaluator &evaluator)
+      : evaluator_(evaluator)
+      , checked_(std::make_shared<std::atomic<std::uint64_t>>(0))
+      , si_(std::make_shared<CountedSpaceInformation>(evaluator.spaceInformation(), checked_))
+      , goals_(std::make_shared<KnownGoals>(si_, goal))
+      , pdef_(std::make_shared<ob::ProblemDefinition>(si_))
+      , planner_(allocator(si_))
+      , taken_(evaluator.objective()->infiniteCost())
+    {
+        if (!planner_)
+            throw ompl::Exception("MFA", "the allocator of the guide planner returned no planner");
+        pdef_->setGoal(goals_);
+        pdef_->setOptimizationObjective(evaluator.objective());
+        planner_->setProblemDefinition(pdef_);
+    }
+
+    bool PlannerGuide::accepts(const Query &query) const
+    {
+        return query.starts().size() > refusedStarts_ || query.goals().size() > refusedGoals_;
+    }
+
+    void PlannerGuide::addEnds(const Query &query)
+    {
+        for (std::size_t i = pdef_->getStartStateCount(); i < query.starts().size(); ++i)
+            pdef_->addStartState(query.starts()[i]);
+        for (std::size_t i = goals_->getStateCount(); i < query.goals().size(); ++i)
+            goals_->addState(query.goals()[i]);
+    }
+
+    ob::PlannerStatus PlannerGuide::run(std::uint64_t work)
+    {
+        *checked_ = 0;
+        std::atomic<std::uint64_t> asked{0};
+        const ob::PlannerTerminationCondition turnOver(
+            [&]
+            {
+                if (++asked + *checked_ >= work)
+                    return true;
+                // planners with several threads ask from all of them
+                const std::lock_guard<std::mutex> lock(stopMutex_);
+                return evaluator_.stopped();
+            });
+        if (!planner_->isSetup())
+            planner_->setup();
+        const ob::PlannerStatus status = planner_->solve(turnOver);
+        const std::uint64_t done = asked + *checked_;
+        evaluator_.addWork(done);
+        returnedEarly_ = done < work && !evaluator_.stopped();
+        return status;
+    }
+
+    void PlannerGuide::beginAnew()
+    {
+        planner_->clear();
+        pdef_->clearSolutionPaths();
+        taken_ = evaluator_.objective()->infiniteCost();
+    }
+
+    bool PlannerGuide::advance(const Query &query, double /*bound*/, std::uint64_t work, Waypoints &path)
+    {
+        if (query.starts().empty() || query.goals().empty() || !accepts(query))
+            return false;
+        addEnds(query);
+        const ob::PlannerStatus status = run(work);
+        const bool found = takePath(query, path);
+        if (!returnedEarly_)
+            return found;
+        const bool searched = status == ob::PlannerStatus::TIMEOUT ||
+                              status == ob::PlannerStatus::APPROXIMATE_SOLUTION ||
+                              status == ob::PlannerStatus::EXACT_SOLUTION;
+        if (!searched)
+        {
+            refusedStarts_ = query.starts().size();
+            refusedGoals_ = query.goals().size();
+        }
+        beginAnew();
+        return found;
+    }
+
+    bool PlannerGuide::takePath(const Query &query, Waypoints &path)
+    {
+        if (!pdef_->hasExactSolution())
+            return false;
+        const auto found = std::dynamic_pointer_cast<og::PathGeometric>(pdef_->getSolutionPath());
+        if (!found || found->getStateCount() < 2)
+            return false;
+        path.clear();
+        for (const ob::State *state : found->getStates())
+            path.append(state);
+        const ob::Cost cost = evaluator_.cost(path);
+        if (!evaluator_.objective()->isCostBetterThan(cost, taken_) || !holds(query, path))
+            return false;
+        taken_ = cost;
+        return true;
+    }
+
+    bool PlannerGuide::holds(const Query &query, const Waypoints &path)
+    {
+        const auto &space = evaluator_.spaceInformation()->getStateSpace();
+        bool begins = false;
+        for (std::size_t i = 0; i < query.starts().size(); ++i)
+            begins = begins || space->equalStates(path.front(), query.starts()[i]);
+        if (!begins || !query.goal()->isSatisfied(path.back()))
+            return false;
+        for (std::size_t i = 0; i < path.size(); ++i)
+        {
+            if (!space->satisfiesBounds(path[i]))
+                return false;
+        }
+        return evaluator_.checkPath(path);
+    }
+}  // namespace ompl_mfa
