@@ -14,6 +14,8 @@ namespace ompl_mfa
         constexpr std::uint64_t INVALID_EARLY = 6;
         /* Motion costs that are mere distances, computed between two looks at the stop condition. */
         constexpr std::uint64_t DISTANCES_BETWEEN_STOPS = 64;
+        /* States between two looks of a strict check at the stop condition. */
+        constexpr unsigned int STATES_BETWEEN_STOPS = 64;
     }  // namespace
 
     PathEvaluator::PathEvaluator(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective,
@@ -139,6 +141,33 @@ namespace ompl_mfa
     {
         motions_.assign(motions);
         return checkAll();
+    }
+
+    bool PathEvaluator::checkStrictly(std::initializer_list<Motion> motions)
+    {
+        return checkMotions(motions) && checkBetween(motions);
+    }
+
+    bool PathEvaluator::checkBetween(std::initializer_list<Motion> motions)
+    {
+        return std::all_of(motions.begin(), motions.end(),
+                           [this](const Motion &motion) { return checkBetween(motion); });
+    }
+
+    bool PathEvaluator::checkBetween(const Motion &motion)
+    {
+        const auto &space = si_->getStateSpace();
+        const unsigned int states = space->validSegmentCount(motion.from, motion.to);
+        for (unsigned int j = 0; j < states; ++j)
+        {
+            if (j % STATES_BETWEEN_STOPS == STATES_BETWEEN_STOPS - 1 && stopped())
+                return false;
+            space->interpolate(motion.from, motion.to, (j + 0.5) / states, scratch_);
+            ++work_;
+            if (!si_->isValid(scratch_))
+                return false;
+        }
+        return true;
     }
 
     bool PathEvaluator::checkPath(const Waypoints &path)

@@ -22,6 +22,12 @@ namespace ompl_mfa
         constexpr double PAYOFF_MEMORY = 0.95;
         /* Share of the steps that each kind has at the least. */
         constexpr double PAYOFF_FLOOR = 0.08;
+        /* How far a vertex stays away from where it would be blocked, in parts of the distance between two states of a
+           motion check. */
+        constexpr double MARGIN = 0.125;
+        /* Moves of a vertex after a blocked one that have to keep the margin: where nothing is in the way it is not
+           looked for. */
+        constexpr unsigned int CAUTION = 2;
         /* First random step of a vertex, in parts of the distance to the nearer neighbour. */
         constexpr double FIRST_STEP = 0.25;
         /* Random steps are tried on cost this often before one is checked for validity. */
@@ -35,7 +41,9 @@ namespace ompl_mfa
       , path_(chart_->space())
       , a_(chart_->space()->allocState())
       , b_(chart_->space()->allocState())
+      , beyond_(chart_->space()->allocState())
       , delta_(chart_->dimension())
+      , beyondDelta_(chart_->dimension())
     {
     }
 
@@ -43,6 +51,7 @@ namespace ompl_mfa
     {
         chart_->space()->freeState(a_);
         chart_->space()->freeState(b_);
+        chart_->space()->freeState(beyond_);
     }
 
     void PathTightening::begin(const Waypoints &path)
@@ -217,7 +226,7 @@ namespace ompl_mfa
             return false;
         if (steps_[i].pull < 0.3 && rng_.uniform01() > 0.1)
             return false;
-        if (!evaluator_.checkMotion(path_[i - 1], path_[i + 1]))
+        if (!evaluator_.checkStrictly({{path_[i - 1], path_[i + 1]}}))
             return false;
         eraseVertices(i, i + 1, chord);
         return true;
@@ -281,12 +290,12 @@ namespace ompl_mfa
     bool PathTightening::checkShortcut(const ob::State *before, const ob::State *after)
     {
         if (before != nullptr && after != nullptr)
-            return evaluator_.checkMotions({{a_, b_}, {before, a_}, {b_, after}});
+            return evaluator_.checkStrictly({{a_, b_}, {before, a_}, {b_, after}});
         if (before != nullptr)
-            return evaluator_.checkMotions({{a_, b_}, {before, a_}});
+            return evaluator_.checkStrictly({{a_, b_}, {before, a_}});
         if (after != nullptr)
-            return evaluator_.checkMotions({{a_, b_}, {b_, after}});
-        return evaluator_.checkMotion(a_, b_);
+            return evaluator_.checkStrictly({{a_, b_}, {b_, after}});
+        return evaluator_.checkStrictly({{a_, b_}});
     }
 
     /* Whether the motions to and from the vertex, which would cost \e before and \e after, cost less if it were at
@@ -301,12 +310,36 @@ namespace ompl_mfa
 
     bool PathTightening::moveVertex(std::size_t i, const ob::State *state, ob::Cost before, ob::Cost after)
     {
+        unsigned int &caution = steps_[i].caution;
         if (!evaluator_.checkMotions({{path_[i - 1], state}, {state, path_[i + 1]}}))
+        {
+            caution = CAUTION;
             return false;
+        }
+        if (caution > 0 ? !hasMargin(i, state)
+                        : !evaluator_.checkBetween({{path_[i - 1], state}, {state, path_[i + 1]}}))
+            return false;
+        caution -= caution > 0 ? 1 : 0;
         chart_->space()->copyState(path_[i], state);
         costs_[i - 1] = before;
         costs_[i] = after;
         return true;
+    }
+
+    /* Whether the vertex could go a little beyond the state that it is to have, so that the path will not touch what
+       is in its way. */
+    bool PathTightening::hasMargin(std::size_t i, const ob::State *state)
+    {
+        const auto &space = chart_->space();
+        const unsigned int segments = std::max(1U, space->validSegmentCount(path_[i - 1], state));
+        const double margin = MARGIN * space->distance(path_[i - 1], state) / segments;
+        const double step = space->distance(path_[i], state);
+        if (step <= 0.0)
+            return false;
+        chart_->difference(path_[i], state, beyondDelta_);
+        beyondDelta_ *= 1.0 + margin / step;
+        chart_->displace(path_[i], beyondDelta_, beyond_);
+        return evaluator_.checkStrictly({{path_[i - 1], beyond_}, {beyond_, path_[i + 1]}});
     }
 
     bool PathTightening::replaceVertex(std::size_t i, const ob::State *state)
@@ -475,7 +508,7 @@ namespace ompl_mfa
             const ob::Cost around = objective->combineCosts(objective->combineCosts(before, cut), after);
             if (objective->isCostBetterThan(cornerCost(i), around))
                 continue;
-            if (evaluator_.checkMotions({{a_, b_}, {path_[i - 1], a_}, {b_, path_[i + 1]}}))
+            if (evaluator_.checkStrictly({{a_, b_}, {path_[i - 1], a_}, {b_, path_[i + 1]}}))
             {
                 space->copyState(path_[i], b_);
                 costs_[i] = after;

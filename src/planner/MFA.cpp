@@ -19,8 +19,6 @@ namespace ompl_mfa
         /* Bounds of a turn, in units of PathEvaluator::work(). */
         constexpr std::uint64_t SHORTEST_TURN = 400;
         constexpr std::uint64_t LONGEST_TURN = 8000;
-        /* The same for the roadmap, each of whose searches begins with a pass over all of it. */
-        constexpr std::uint64_t LONGEST_ROADMAP_TURN = 40000;
         /* Random detours that have to keep to the objective's bounds before a path that meets them ends the search. */
         constexpr unsigned int PROBES = 64;
 
@@ -195,8 +193,7 @@ namespace ompl_mfa
         const bool hadPath = incumbent_->hasPath();
         const double cost = incumbent_->cost();
         // turns grow with the work done, so that no part spends its time beginning
-        takeTurn(static_cast<Part>(part),
-                 std::clamp(before / 20, SHORTEST_TURN, part == ROADMAP ? LONGEST_ROADMAP_TURN : LONGEST_TURN));
+        takeTurn(static_cast<Part>(part), std::clamp(before / 20, SHORTEST_TURN, LONGEST_TURN));
         double gain = 0.0;
         if (hadPath)
             gain = std::abs(cost - incumbent_->cost()) / std::max(std::abs(cost), 1e-12);

@@ -39,7 +39,9 @@ namespace ompl_mfa
         constexpr unsigned int RUNGS = 7;
         /* A new path is given up once so many more rounds like the last would not make it the best. */
         constexpr double PATIENCE = 4.0;
-        /* Work of the guides before fireflies and recombination begin, where there is no path yet. */
+        /* Where there is no path yet: work of the trees before the roadmap begins, and of both before fireflies and
+           recombination do. */
+        constexpr std::uint64_t FIRST_TREES = 6000;
         constexpr std::uint64_t FIRST_GUIDES = 50000;
     }  // namespace
 
@@ -69,8 +71,8 @@ namespace ompl_mfa
         sharing_.add(0.05, 0.05, 0.0);  // FIREFLIES
         sharing_.add(0.03, 0.03, 0.0);  // RECOMBINATION
         sharing_.add(0.01, 0.01, 0.0);  // TIGHTENING
-        sharing_.add(0.61, 0.61, 0.0);  // TREES
-        sharing_.add(0.30, 0.30, 0.0);  // ROADMAP
+        sharing_.add(0.65, 0.65, 0.0);  // TREES
+        sharing_.add(0.26, 0.26, 0.0);  // ROADMAP
         if (plannerGuide_)
             sharing_.add(0.30, 0.30, 0.0);  // PLANNER
     }
@@ -118,7 +120,8 @@ namespace ompl_mfa
                                    activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
         available[TIGHTENING] = tightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
         available[TREES] = trees_ && ends;
-        available[ROADMAP] = roadmap_ && ends;
+        const bool early = trees_ && !incumbent_->hasPath() && evaluator_->work() < FIRST_TREES;
+        available[ROADMAP] = roadmap_ && ends && !early;
         available[PLANNER] = guidePlanner;
         return available;
     }

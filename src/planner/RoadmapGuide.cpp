@@ -22,6 +22,8 @@ namespace ompl_mfa
         constexpr std::uint64_t NEIGHBOUR_WORK = 4;
         /* Stands for the sample where the nearest neighbour of a state is asked for that is not in the roadmap. */
         constexpr std::size_t SAMPLE = std::numeric_limits<std::size_t>::max();
+        /* A turn is at least so much work for each edge, of which the pass that begins a search takes a small part. */
+        constexpr std::uint64_t WORK_AN_EDGE = 4;
         /* Halvings of the motion from a valid to an invalid state. */
         constexpr unsigned int BISECTIONS = 7;
     }  // namespace
@@ -130,7 +132,7 @@ namespace ompl_mfa
         if (query.starts().empty() || query.goals().empty())
             return false;
         addEnds(query);
-        const std::uint64_t limit = evaluator_.work() + work;
+        const std::uint64_t limit = evaluator_.work() + std::max<std::uint64_t>(work, WORK_AN_EDGE * graph_.edges());
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
             addBatch(query, bound, limit);

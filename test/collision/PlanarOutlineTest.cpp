@@ -93,6 +93,34 @@ namespace ompl_mfa::collision
             EXPECT_NEAR(area(outline[0]), 4., 1e-9);
         }
 
+        TEST(PlanarOutline, OfACubeAcrossItsDiagonalIsAHexagon)
+        {
+            const Eigen::AngleAxisd upright(
+                Eigen::Quaterniond::FromTwoVectors(fcl::Vector3d(1., 1., 1.), fcl::Vector3d::UnitZ()));
+            const auto outline = planarOutline(primitive("box", {1., 1., 1.}, {2., 3., 0.}, upright));
+            ASSERT_EQ(outline.size(), 1U);
+            EXPECT_EQ(outline[0].size(), 6U);
+            EXPECT_NEAR(area(outline[0]), 0.75 * std::sqrt(3.), 1e-12);
+        }
+
+        TEST(PlanarOutline, HoldsWhatOnlyTouchesTheSlab)
+        {
+            const auto below = planarOutline(primitive("box", {4., 2., 1.}, {0., 0., -0.5}));
+            const auto above = planarOutline(primitive("box", {4., 2., 1.}, {0., 0., 0.5}));
+            ASSERT_EQ(below.size(), 1U);
+            ASSERT_EQ(above.size(), 1U);
+            EXPECT_NEAR(area(below[0]), 8., 1e-12);
+            EXPECT_NEAR(area(above[0]), 8., 1e-12);
+        }
+
+        TEST(PlanarOutline, OfALyingCapsuleIsAStadium)
+        {
+            const Eigen::AngleAxisd lie(M_PI / 2., Eigen::Vector3d::UnitY());
+            const auto outline = planarOutline(primitive("capsule", {4., 0.5}, {1., 2., 0.}, lie));
+            ASSERT_EQ(outline.size(), 1U);
+            EXPECT_NEAR(area(outline[0]), 4. + 0.25 * M_PI, 1e-3);
+        }
+
         TEST(PlanarOutline, OfAMeshIsOneConvexPieceATriangle)
         {
             TriangleMesh mesh;

@@ -39,6 +39,12 @@ namespace ompl_mfa
             return vertices_.size();
         }
 
+        /** \brief Directed edges: what a pass over all of the graph handles. */
+        std::size_t edges() const
+        {
+            return edges_.size();
+        }
+
         const ompl::base::State *state(std::size_t vertex) const
         {
             return states_[vertex];

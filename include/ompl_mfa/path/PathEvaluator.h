@@ -95,6 +95,14 @@ namespace ompl_mfa
             before it. None is checked after an invalid one, unless another thread has time for it. */
         bool checkMotions(std::initializer_list<Motion> motions);
 
+        /** \brief Whether all \e motions are valid, and remain so at twice the resolution: a path that slips between
+           the states of one resolution is worth little to what interpolates it otherwise, such as OMPL's path
+           simplifier. */
+        bool checkStrictly(std::initializer_list<Motion> motions);
+
+        /** \brief What checkStrictly checks beyond checkMotions: the states halfway between those that it looks at. */
+        bool checkBetween(std::initializer_list<Motion> motions);
+
         /** \brief Whether all motions of \e path are valid; its first state is taken to be. */
         bool checkPath(const Waypoints &path);
 
@@ -137,6 +145,7 @@ namespace ompl_mfa
     private:
         bool checkNext(std::size_t i);
         bool checkAll();
+        bool checkBetween(const Motion &motion);
         void reportPartialPath(const Waypoints &path, std::size_t motion);
         double invalidLength(const ompl::base::State *from, const ompl::base::State *to);
 

@@ -65,6 +65,7 @@ namespace ompl_mfa
             VertexSearch search;
             double pull{0.5};          ///< part of the way to the chord
             double partPull{1.0};      ///< the same when only some coordinates move
+            unsigned int caution{0};   ///< moves that have yet to keep a margin
             bool partWorked{false};    ///< whether mask and normal led to a better path last time
             Eigen::VectorXd mask{};    ///< 1 for each coordinate that moves
             Eigen::VectorXd normal{};  ///< direction that is left out, or zero
@@ -109,6 +110,7 @@ namespace ompl_mfa
         ompl::base::Cost cornerCost(std::size_t i) const;
         bool improves(std::size_t i, const ompl::base::State *state, ompl::base::Cost &before, ompl::base::Cost &after);
         bool moveVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before, ompl::base::Cost after);
+        bool hasMargin(std::size_t i, const ompl::base::State *state);
         bool replaceVertex(std::size_t i, const ompl::base::State *state);
         double smallestStep() const;
         void insertVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before,
@@ -125,7 +127,9 @@ namespace ompl_mfa
         std::vector<Step> steps_;
         ompl::base::State *a_;
         ompl::base::State *b_;
+        ompl::base::State *beyond_;
         Eigen::VectorXd delta_;
+        Eigen::VectorXd beyondDelta_;
         std::uint64_t workLimit_{0};
         bool converged_{true};
         unsigned int idleRounds_{0};
