@@ -12,6 +12,7 @@
 #include <ompl/util/String.h>
 
 #include "ompl_mfa/benchmark/PathMetrics.h"
+#include "ompl_mfa/benchmark/PlannerFactory.h"
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -147,10 +148,11 @@ namespace ompl_mfa
         const og::SimpleSetupPtr setup = makeProblem();
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
         const ob::PlannerPtr inner = makePlanner(si);
-        const bool seeded = inner->params().hasParam("seed");
+        // a planner that has to repeat its run may not look at a clock; one that the clock stops anyway may
+        const bool seeded = settings.iterationLimit > 0 && inner->params().hasParam("seed");
         if (seeded)
         {
-            inner->params().setParam("seed", std::to_string(seed));
+            seedPlanner(*inner, seed);
         }
         si->setStateValidityChecker(std::make_shared<WatchedValidityChecker>(si, si->getStateValidityChecker(), state));
 

@@ -1,0 +1,85 @@
+#include "ompl_mfa/planner/TurnSharing.h"
+
+#include <array>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        const std::vector<bool> ALL{true, true, true};
+
+        /* Gives so many turns of equal work, with the gain that each part makes in a turn, and counts whose they were.
+         */
+        std::array<int, 3> turns(TurnSharing &sharing, int count, const std::array<double, 3> &gains,
+                                 const std::vector<bool> &available = ALL)
+        {
+            std::array<int, 3> taken{};
+            for (int i = 0; i < count; ++i)
+            {
+                const std::size_t part = sharing.next(available);
+                ++taken[part];
+                sharing.record(part, 1.0, gains[part]);
+            }
+            return taken;
+        }
+
+        TEST(TurnSharingTest, WorkFollowsTheShares)
+        {
+            TurnSharing sharing;
+            sharing.add(0.5, 0.1, 0.0);
+            sharing.add(0.3, 0.1, 0.0);
+            sharing.add(0.2, 0.1, 0.0);
+            const auto taken = turns(sharing, 1000, {0.0, 0.0, 0.0});
+            EXPECT_NEAR(taken[0], 500, 2);
+            EXPECT_NEAR(taken[1], 300, 2);
+            EXPECT_NEAR(taken[2], 200, 2);
+        }
+
+        TEST(TurnSharingTest, WhatPaysGetsMoreAndNoPartStarves)
+        {
+            TurnSharing sharing;
+            for (int i = 0; i < 3; ++i)
+                sharing.add(0.3, 0.1, 0.0);
+            const auto taken = turns(sharing, 1000, {0.0, 0.0, 1.0});
+            EXPECT_GT(taken[2], 2 * taken[0]);
+            EXPECT_GT(taken[0], 100);
+            EXPECT_GT(taken[1], 100);
+            EXPECT_GT(sharing.share(2), sharing.share(0));
+        }
+
+        TEST(TurnSharingTest, TheSharesFollowWhatPaysOfLate)
+        {
+            TurnSharing sharing;
+            for (int i = 0; i < 3; ++i)
+                sharing.add(0.3, 0.1, 0.0);
+            turns(sharing, 200, {1.0, 0.0, 0.0});
+            const auto taken = turns(sharing, 500, {0.0, 1.0, 0.0});
+            EXPECT_GT(taken[1], 2 * taken[0]);
+        }
+
+        TEST(TurnSharingTest, ADelayedPartWaits)
+        {
+            TurnSharing sharing;
+            sharing.add(0.5, 0.1, 0.0);
+            sharing.add(0.5, 0.1, 20.0);
+            sharing.add(0.5, 0.1, 20.0);
+            const auto first = turns(sharing, 6, {0.0, 0.0, 0.0});
+            EXPECT_EQ(first[0], 6);
+            const auto later = turns(sharing, 300, {0.0, 0.0, 0.0});
+            EXPECT_NEAR(later[0], later[1], 10);
+        }
+
+        TEST(TurnSharingTest, APartThatCouldNotTakeItsTurnsDoesNotGetThemAllLater)
+        {
+            TurnSharing sharing;
+            for (int i = 0; i < 3; ++i)
+                sharing.add(0.3, 0.1, 0.0);
+            turns(sharing, 300, {0.0, 0.0, 0.0}, {true, true, false});
+            const auto taken = turns(sharing, 30, {0.0, 0.0, 0.0});
+            EXPECT_NEAR(taken[2], 10, 1);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
