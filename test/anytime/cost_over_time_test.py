@@ -13,6 +13,7 @@ import unittest
 ANYTIME = pathlib.Path(__file__).resolve().parents[2] / "benchmarks" / "anytime"
 sys.path.insert(0, str(ANYTIME))
 
+import ablation  # noqa: E402
 import cost_over_time  # noqa: E402
 
 
@@ -137,6 +138,22 @@ class Files(unittest.TestCase):
         self.assertEqual(rows[0]["t_1pct_best_peer"], "bitstar")
         self.assertEqual(float(rows[0]["t_1pct_over_floor"]), 200)
         self.assertIn("| mfa | 3/3 |", text.read_text())
+
+
+class Ablation(unittest.TestCase):
+    def test_marks_what_ends_worse_or_better(self):
+        whole = [1.0, 1.01, 1.02, 1.03, 1.04]
+        self.assertEqual(ablation.mark([1.1, 1.11, 1.12, 1.13, 1.14], whole), "-")
+        self.assertEqual(ablation.mark([0.9, 0.91, 0.92, 0.93, 0.94], whole), "+")
+        self.assertEqual(ablation.mark([0.99, 1.005, 1.015, 1.025, 1.05], whole), "")
+        self.assertEqual(ablation.mark([math.inf] * 5, whole), "-")
+
+    def test_the_table_counts_marks(self):
+        runs = [record("mfa", seed, [], 1.0 + 0.01 * seed) for seed in range(5)]
+        runs += [record("mfa:tightening=0", seed, [], 2.0 + 0.01 * seed) for seed in range(5)]
+        header, lines = ablation.table([cost_over_time.Run(entry, "cpu") for entry in runs], {}, "mfa")
+        self.assertEqual(header, ["world", "mfa", "mfa:tightening=0"])
+        self.assertEqual(lines, [["w", "2.00", "102.00 -"], ["worlds", "", "1 worse, 0 better"]])
 
 
 if __name__ == "__main__":
