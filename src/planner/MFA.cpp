@@ -182,6 +182,7 @@ namespace ompl_mfa
         const std::lock_guard<std::recursive_mutex> lock(mutex_);
         query_->poll(pis_, ptc);
         tryStraightMotions();
+        followStraightMotion();
         if (!untaken_.empty())
             offerTightened(std::exchange(untaken_, Waypoints(si_->getStateSpace())));
         const std::vector<bool> available = availableParts();

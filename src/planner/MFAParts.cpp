@@ -62,6 +62,7 @@ namespace ompl_mfa
         }
         reach_ = WIDEST_REACH;
         probes_ = 0;
+        followedStraight_ = false;
     }
 
     /* Before there is a path, nearly all goes to the guides that find one soonest. */
@@ -158,14 +159,34 @@ namespace ompl_mfa
         triedGoals_ = goals.size();
     }
 
+    /* Where guides search, how far the straight motion leads is only asked once they have not found a path soon. */
+    void MFA::followStraightMotion()
+    {
+        if (followedStraight_ || !guided() || incumbent_->hasPath() || evaluator_->work() < FIRST_TREES ||
+            query_->goals().empty())
+            return;
+        Waypoints path(si_->getStateSpace());
+        path.append(query_->starts().front());
+        path.append(query_->goals().front());
+        evaluator_->evaluate(path, nullptr);
+        followedStraight_ = true;
+    }
+
+    bool MFA::guided() const
+    {
+        return trees_ || roadmap_ || plannerGuide_;
+    }
+
     void MFA::tryStraightMotion(const ob::State *start, const ob::State *goal)
     {
         Waypoints path(si_->getStateSpace());
         path.append(start);
         path.append(goal);
-        const Brightness brightness = evaluator_->evaluate(path, nullptr);
-        if (brightness.isFeasible())
-            offer(path, brightness.cost);
+        const double cost = evaluator_->cost(path).value();
+        if (evaluator_->checkPath(path))
+            offer(path, cost);
+        else if (!guided())
+            evaluator_->evaluate(path, nullptr);  // for the partial path
         ++evaluations_;
         if (swarms_.size() >= MAX_SWARMS)
             return;
@@ -178,7 +199,7 @@ namespace ompl_mfa
     /* The paper's fireflies are points on the slices, those of the whole engine smooth paths. */
     std::unique_ptr<Swarm> MFA::makeSwarm(SliceFrame frame, std::uint64_t seed)
     {
-        const bool paper = !useTightening_ && !useRecombination_ && !useTrees_ && !useRoadmap_;
+        const bool paper = !useTightening_ && !useRecombination_ && !guided();
         return std::make_unique<Swarm>(
             std::move(frame), paper ? Swarm::Coordinates::Offsets : Swarm::Coordinates::Modes, *evaluator_,
             swarmSettings(), seed,

@@ -138,6 +138,8 @@ namespace ompl_mfa
         std::vector<bool> availableParts() const;
         void takeTurn(Part part, std::uint64_t work);
         void tryStraightMotions();
+        void followStraightMotion();
+        bool guided() const;
         void tryStraightMotion(const ompl::base::State *start, const ompl::base::State *goal);
         std::unique_ptr<Swarm> makeSwarm(SliceFrame frame, std::uint64_t seed);
         void takeFirefly(const Waypoints &path, double cost);
@@ -181,11 +183,12 @@ namespace ompl_mfa
 
         Waypoints firefly_;  ///< the best of this turn's valid fireflies that are worse than the best path
         double fireflyCost_{0.0};
-        Waypoints untaken_;           ///< a path of which the stop condition left the cost unknown
-        unsigned int probes_{0};      ///< detours held against the objective's bounds
-        std::size_t triedStarts_{0};  ///< starts whose straight motions to all goals were tried
-        std::size_t triedGoals_{0};   ///< goals whose straight motions from all starts were tried
-        bool published_{false};       ///< whether this solve() has handed the best path to the problem definition
+        Waypoints untaken_;             ///< a path of which the stop condition left the cost unknown
+        unsigned int probes_{0};        ///< detours held against the objective's bounds
+        std::size_t triedStarts_{0};    ///< starts whose straight motions to all goals were tried
+        std::size_t triedGoals_{0};     ///< goals whose straight motions from all starts were tried
+        bool followedStraight_{false};  ///< whether the first straight motion has served as partial path
+        bool published_{false};         ///< whether this solve() has handed the best path to the problem definition
         std::uint64_t runSeed_{0};
         ompl::RNG rng_;
         mutable std::vector<Waypoints> plannerDataPaths_;
