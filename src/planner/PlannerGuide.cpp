@@ -1,5 +1,6 @@
 #include "ompl_mfa/planner/PlannerGuide.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <ompl/geometric/PathGeometric.h>
@@ -12,6 +13,10 @@ namespace ompl_mfa
 {
     namespace
     {
+        /* Until there is a path, a turn lasts at least as long as all turns so far divided by this: a planner that
+           starts over in each turn comes to its end all the same, in a few times the work that it needs. */
+        constexpr std::uint64_t FRUITLESS = 4;
+
         using Count = std::shared_ptr<std::atomic<std::uint64_t>>;
 
         class CountingChecker : public ob::StateValidityChecker
@@ -176,6 +181,7 @@ namespace ompl_mfa
         const ob::PlannerStatus status = planner_->solve(turnOver);
         const std::uint64_t done = asked + *checked_;
         evaluator_.addWork(done);
+        fruitless_ += done;
         returnedEarly_ = done < work && !evaluator_.stopped();
         return status;
     }
@@ -184,6 +190,7 @@ namespace ompl_mfa
     {
         planner_->clear();
         pdef_->clearSolutionPaths();
+        fresh_ = true;
         taken_ = evaluator_.objective()->infiniteCost();
     }
 
@@ -192,14 +199,18 @@ namespace ompl_mfa
         if (query.starts().empty() || query.goals().empty() || !accepts(query))
             return false;
         addEnds(query);
-        const ob::PlannerStatus status = run(work);
+        const bool fresh = std::exchange(fresh_, false);
+        const ob::PlannerStatus status = run(pdef_->hasExactSolution() ? work : std::max(work, fruitless_ / FRUITLESS));
         const bool found = takePath(query, path);
+        if (found)
+            fruitless_ = 0;
         if (!returnedEarly_)
             return found;
         const bool searched = status == ob::PlannerStatus::TIMEOUT ||
                               status == ob::PlannerStatus::APPROXIMATE_SOLUTION ||
                               status == ob::PlannerStatus::EXACT_SOLUTION;
-        if (!searched)
+        // one that had a turn already may only be unable to go on
+        if (!searched && fresh)
         {
             refusedStarts_ = query.starts().size();
             refusedGoals_ = query.goals().size();

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <ompl/base/goals/GoalStates.h>
+#include <ompl/geometric/planners/fmt/BFMT.h>
+#include <ompl/geometric/planners/fmt/FMT.h>
 #include <ompl/geometric/planners/informedtrees/BITstar.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
@@ -102,7 +104,9 @@ namespace ompl_mfa
 
         TEST_F(GuidePlanner, WhatItSolvesIsSolved)
         {
-            for (auto *const guide : {make<og::RRTConnect>, make<og::BITstar>, make<og::RRTstar>})
+            // one that ends, two that go on, one that starts over in each turn, one that has to be cleared for that
+            for (auto *const guide :
+                 {make<og::RRTConnect>, make<og::BITstar>, make<og::RRTstar>, make<og::FMT>, make<og::BFMT>})
             {
                 problem_->pdef->clearSolutionPaths();
                 const auto mfa = planner(*problem_, guide);

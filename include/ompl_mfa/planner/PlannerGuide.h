@@ -17,7 +17,8 @@ namespace ompl_mfa
 {
     /** \brief Any other planner as a guide: it goes on in each turn from where it stopped, on a problem definition of
        its own with the query's starts, goals and objective. One that returns before its turn is over has done what it
-       can do, as planners do that end with their first path: it is cleared and begins anew.
+       can do, as planners do that end with their first path: it is cleared and begins anew. Until it has
+       a path its turns become longer, for planners that cannot go on where they stopped.
 
         Its work is counted in state checks, for which it gets a space information of its own that counts and otherwise
         asks the evaluator's, and in looks at its termination condition. */
@@ -48,7 +49,9 @@ namespace ompl_mfa
         std::shared_ptr<ompl::base::GoalStates> goals_;
         ompl::base::ProblemDefinitionPtr pdef_;
         ompl::base::PlannerPtr planner_;
+        bool fresh_{true};              ///< whether it has had no turn since it began
         bool returnedEarly_{false};     ///< from the last turn
+        std::uint64_t fruitless_{0};    ///< work since its last path
         ompl::base::Cost taken_;        ///< of the best path of the planner since it began
         std::size_t refusedStarts_{0};  ///< how many states there were when it refused the query
         std::size_t refusedGoals_{0};
