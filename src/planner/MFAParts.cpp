@@ -41,7 +41,7 @@ namespace ompl_mfa
         constexpr double PATIENCE = 4.0;
         /* Where there is no path yet: work of the trees before the roadmap begins, and of both before fireflies and
            recombination do. */
-        constexpr std::uint64_t FIRST_TREES = 6000;
+        constexpr std::uint64_t FIRST_TREES = 20000;
         constexpr std::uint64_t FIRST_GUIDES = 50000;
     }  // namespace
 
