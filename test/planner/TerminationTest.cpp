@@ -234,10 +234,18 @@ namespace ompl_mfa
         TEST_P(Termination, IterationsCanBeLimited)
         {
             const auto planner = problem_->planner(GetParam());
-            ob::IterationTerminationCondition limit(500);
-            planner->solve(ob::PlannerTerminationCondition(limit));
-            EXPECT_GE(limit.getTimesCalled(), 500U);
-            EXPECT_LE(limit.getTimesCalled(), 520U) << "asked again and again after it was true";
+            ob::IterationTerminationCondition iterations(500);
+            const ob::PlannerTerminationCondition limit = iterations;
+            // counted here because newer OMPL counts in a copy that the cast makes
+            unsigned int asked = 0;
+            planner->solve(ob::PlannerTerminationCondition(
+                [&]
+                {
+                    ++asked;
+                    return limit();
+                }));
+            EXPECT_GE(asked, 500U);
+            EXPECT_LE(asked, 520U) << "asked again and again after it was true";
         }
 
         TEST_P(Termination, CostConvergenceEndsTheSearch)
