@@ -11,10 +11,6 @@
 
 #include "ompl_mfa/OmplCompatibility.h"
 
-#ifdef OMPL_MFA_HAS_AORRTC
-#include <ompl/geometric/planners/rrt/AORRTC.h>
-#endif
-
 namespace ob = ompl::base;
 
 namespace ompl_mfa::anytime

@@ -4,6 +4,8 @@
 /* The differences between OMPL 1.5.2 and newer releases, through 2.0. Nothing else in the project asks for OMPL's
    version. */
 
+#include <memory>
+
 #include <ompl/config.h>
 
 /* Planners that only some releases have. */
@@ -18,6 +20,7 @@
 #endif
 #if __has_include(<ompl/geometric/planners/rrt/AORRTC.h>)
 #define OMPL_MFA_HAS_AORRTC
+#include <ompl/geometric/planners/rrt/AORRTC.h>
 #endif
 #if __has_include(<ompl/geometric/planners/rrt/AOXRRTConnect.h>)
 #define OMPL_MFA_HAS_AOXRRTCONNECT
@@ -32,6 +35,23 @@
 #define OMPL_MFA_HAS_QUOTIENT_SPACES
 #elif __has_include(<ompl/multilevel/planners/qrrt/QRRT.h>)
 #define OMPL_MFA_HAS_MULTILEVEL
+#endif
+
+#ifdef OMPL_MFA_HAS_AORRTC
+namespace ompl_mfa
+{
+    /** \brief AORRTC that may be cleared and destroyed before it was set up: OMPL 2.0.2's own crashes then, because
+        only setup() makes the search that it clears. */
+    class ClearableAORRTC : public ompl::geometric::AORRTC
+    {
+    public:
+        explicit ClearableAORRTC(const ompl::base::SpaceInformationPtr &si)
+          : AORRTC(si)
+        {
+            aox_planner = std::make_shared<ompl::geometric::AOXRRTConnect>(si);
+        }
+    };
+}  // namespace ompl_mfa
 #endif
 
 #endif

@@ -56,9 +56,6 @@
 #ifdef OMPL_MFA_HAS_BLITSTAR
 #include <ompl/geometric/planners/lazyinformedtrees/BLITstar.h>
 #endif
-#ifdef OMPL_MFA_HAS_AORRTC
-#include <ompl/geometric/planners/rrt/AORRTC.h>
-#endif
 #ifdef OMPL_MFA_HAS_AOXRRTCONNECT
 #include <ompl/geometric/planners/rrt/AOXRRTConnect.h>
 #endif
@@ -199,7 +196,7 @@ namespace ompl_mfa
             table["blitstar"] = entry<og::BLITstar>("BLITstar");
 #endif
 #ifdef OMPL_MFA_HAS_AORRTC
-            table["aorrtc"] = entry<og::AORRTC>("AORRTC");
+            table["aorrtc"] = entry<ClearableAORRTC>("AORRTC");
 #endif
 #ifdef OMPL_MFA_HAS_AOXRRTCONNECT
             table["aoxrrtconnect"] = entry<og::AOXRRTConnect>("AOXRRTConnect");
