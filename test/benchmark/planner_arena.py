@@ -176,6 +176,21 @@ def hues(count):
     return [[int(colour[i:i + 2], 16) for i in (1, 3, 5)] for colour in text.split()]
 
 
+def wait_for_plot(browser, tab, plot):
+    idle = "return !document.documentElement.classList.contains('shiny-busy')"
+    time.sleep(2)
+    wait_for(tab + " to be idle", lambda: browser.run(idle))
+    wait_for(tab + " plot", lambda: browser.run(
+        "const i = document.querySelector(arguments[0]); return i !== null && i.complete && i.naturalWidth > 0", plot))
+
+
+def select_planners(browser, page, names):
+    """Ticks the boxes of the planners, of all if names is null."""
+    browser.run("document.querySelectorAll('input[name=' + arguments[0] + '_planners]').forEach(box => {"
+                "if (box.checked !== (arguments[1] === null || arguments[1].includes(box.value))) box.click(); });",
+                page, names)
+
+
 def show(browser, tab, page, select, attribute):
     """Opens a tab with all planners and one attribute, and waits until its plot is drawn anew."""
     plot = f"#{page}_plot img"
@@ -184,15 +199,10 @@ def show(browser, tab, page, select, attribute):
     wait_for(tab + " planners", lambda: browser.run(
         "return document.querySelectorAll('input[name=' + arguments[0] + '_planners]').length", page))
     time.sleep(1)
-    browser.run("$('.alert .close').click();"
-                "document.querySelectorAll('input[name=' + arguments[0] + '_planners]').forEach("
-                "box => { if (!box.checked) box.click(); });"
-                "$('#' + arguments[1])[0].selectize.setValue(arguments[2]);", page, select, attribute)
-    idle = "return !document.documentElement.classList.contains('shiny-busy')"
-    time.sleep(2)
-    wait_for(tab + " to be idle", lambda: browser.run(idle))
-    wait_for(tab + " plot", lambda: browser.run(
-        "const i = document.querySelector(arguments[0]); return i !== null && i.complete && i.naturalWidth > 0", plot))
+    browser.run("$('.alert .close').click();")
+    select_planners(browser, page, None)
+    browser.run("$('#' + arguments[0])[0].selectize.setValue(arguments[1]);", select, attribute)
+    wait_for_plot(browser, tab, plot)
     errors = browser.run("return Array.from(document.querySelectorAll('.tab-pane.active .shiny-output-error'))"
                          ".map(e => e.textContent)")
     assert errors == [], (tab, errors)
@@ -218,7 +228,16 @@ def check(browser, planners, folder):
     seen = browser.run(LOOK, plot, colours)
     print("Progress:", seen)
     keep("progress")
-    assert min(seen["counts"]) > 40, "not one curve for each planner"
+    names = browser.run("return Array.from(document.querySelectorAll('input[name=prog_planners]')).map(b => b.value)")
+    for name, count in zip(names, seen["counts"]):
+        if count > 40:
+            continue
+        # a curve that the others cover shows alone
+        select_planners(browser, "prog", [name])
+        wait_for_plot(browser, "progress", plot)
+        alone = browser.run(LOOK, plot, hues(1))
+        print(f"Progress of {name} alone:", alone)
+        assert alone["counts"][0] > 40, "no curve for " + name
 
     plot = show(browser, "regression", "regr", "regr_attr", "path_cost")
     seen = browser.run(LOOK, plot, colours)
