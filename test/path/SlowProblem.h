@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <ompl/base/MotionValidator.h>
+#include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 
 namespace ompl_mfa::test
@@ -27,11 +28,9 @@ namespace ompl_mfa::test
 
         bool checkMotion(const ompl::base::State *from, const ompl::base::State *to) const override
         {
-            auto *state = si_->allocState();
-            std::pair<ompl::base::State *, double> lastValid(state, 0.0);
-            const bool valid = checkMotion(from, to, lastValid);
-            si_->freeState(state);
-            return valid;
+            ompl::base::ScopedState<> state(si_);
+            std::pair<ompl::base::State *, double> lastValid(state.get(), 0.0);
+            return checkMotion(from, to, lastValid);
         }
 
         bool checkMotion(const ompl::base::State *from, const ompl::base::State *to,
@@ -39,16 +38,16 @@ namespace ompl_mfa::test
         {
             const auto &space = si_->getStateSpace();
             const unsigned int count = std::max(1U, space->validSegmentCount(from, to));
-            auto *state = si_->allocState();
+            // freed when a checker throws, too
+            ompl::base::ScopedState<> state(si_);
             bool valid = true;
             for (unsigned int i = 1; i <= count && valid; ++i)
             {
-                space->interpolate(from, to, static_cast<double>(i) / count, state);
-                valid = si_->isValid(state);
+                space->interpolate(from, to, static_cast<double>(i) / count, state.get());
+                valid = si_->isValid(state.get());
                 if (valid)
                     lastValid.second = static_cast<double>(i) / count;
             }
-            si_->freeState(state);
             if (!valid && lastValid.first != nullptr)
                 space->interpolate(from, to, lastValid.second, lastValid.first);
             return valid;
