@@ -28,7 +28,7 @@ namespace ompl_mfa::test
 
         bool checkMotion(const ompl::base::State *from, const ompl::base::State *to) const override
         {
-            ompl::base::ScopedState<> state(si_);
+            ompl::base::ScopedState<> state(si_->getStateSpace());
             std::pair<ompl::base::State *, double> lastValid(state.get(), 0.0);
             return checkMotion(from, to, lastValid);
         }
@@ -39,7 +39,7 @@ namespace ompl_mfa::test
             const auto &space = si_->getStateSpace();
             const unsigned int count = std::max(1U, space->validSegmentCount(from, to));
             // freed when a checker throws, too
-            ompl::base::ScopedState<> state(si_);
+            ompl::base::ScopedState<> state(si_->getStateSpace());
             bool valid = true;
             for (unsigned int i = 1; i <= count && valid; ++i)
             {
