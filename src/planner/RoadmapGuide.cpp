@@ -52,9 +52,9 @@ namespace ompl_mfa
         chart_->space()->freeState(boundaryState_);
     }
 
-    std::size_t RoadmapGuide::add(const ob::State *state, bool valid)
+    std::size_t RoadmapGuide::add(const ob::State *state)
     {
-        const std::size_t vertex = graph_.addVertex(state, valid);
+        const std::size_t vertex = graph_.addVertex(state, true);
         const auto d = static_cast<double>(chart_->space()->getDimension());
         const double factor = boost::math::constants::e<double>() * (1.0 + 1.0 / d);
         const auto k = static_cast<std::size_t>(std::ceil(factor * std::log(static_cast<double>(vertex + 2))));
@@ -74,9 +74,9 @@ namespace ompl_mfa
     void RoadmapGuide::addEnds(const Query &query)
     {
         for (; starts_ < query.starts().size() && !evaluator_.stopped(); ++starts_)
-            graph_.setStart(add(query.starts()[starts_], true));
+            graph_.setStart(add(query.starts()[starts_]));
         for (; goals_ < query.goals().size() && !evaluator_.stopped(); ++goals_)
-            graph_.setGoal(add(query.goals()[goals_], true));
+            graph_.setGoal(add(query.goals()[goals_]));
     }
 
     void RoadmapGuide::addBatch(const Query &query, double bound, std::uint64_t limit)
@@ -93,13 +93,13 @@ namespace ompl_mfa
                 continue;
             if (evaluator_.checkState(sample_))
             {
-                add(sample_, true);
+                add(sample_);
                 --missing_;
             }
             else if (boundary_ < missing_ && toBoundary())
             {
                 // shortest paths touch obstacles: states beside them are worth as many as those drawn evenly
-                add(sample_, true);
+                add(sample_);
                 ++boundary_;
             }
         }

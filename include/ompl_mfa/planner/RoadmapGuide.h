@@ -36,7 +36,7 @@ namespace ompl_mfa
         void addEnds(const Query &query);
         bool toBoundary();
         void addBatch(const Query &query, double bound, std::uint64_t limit);
-        std::size_t add(const ompl::base::State *state, bool valid);
+        std::size_t add(const ompl::base::State *state);
 
         StateChartPtr chart_;
         PathEvaluator &evaluator_;
