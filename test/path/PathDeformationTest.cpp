@@ -29,15 +29,7 @@ namespace ompl_mfa
 
             Waypoints path(const std::vector<std::pair<double, double>> &points) const
             {
-                Waypoints result(space_);
-                ob::ScopedState<> state(space_);
-                for (const auto &[x, y] : points)
-                {
-                    state[0] = x;
-                    state[1] = y;
-                    result.append(state.get());
-                }
-                return result;
+                return test::planarPath(space_, points);
             }
 
             ob::StateSpacePtr space_ = test::realVectorSpace(2);

@@ -43,15 +43,7 @@ namespace ompl_mfa
 
             Waypoints path(const Points &points) const
             {
-                Waypoints result(space_);
-                ob::ScopedState<> state(space_);
-                for (const auto &[x, y] : points)
-                {
-                    state[0] = x;
-                    state[1] = y;
-                    result.append(state.get());
-                }
-                return result;
+                return test::planarPath(space_, points);
             }
 
             static bool outsideWall(const ob::State *state)

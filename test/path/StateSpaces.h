@@ -7,6 +7,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <ompl/base/ScopedState.h>
@@ -17,6 +18,8 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/base/spaces/SO2StateSpace.h>
 #include <ompl/base/spaces/SO3StateSpace.h>
+
+#include "ompl_mfa/path/Waypoints.h"
 
 namespace ompl_mfa::test
 {
@@ -32,6 +35,21 @@ namespace ompl_mfa::test
         auto space = std::make_shared<ompl::base::RealVectorStateSpace>(n);
         space->setBounds(low, high);
         return ready(space);
+    }
+
+    /** \brief A path in R^2 through points (x, y). */
+    inline Waypoints planarPath(const ompl::base::StateSpacePtr &space,
+                                const std::vector<std::pair<double, double>> &points)
+    {
+        Waypoints path(space);
+        ompl::base::ScopedState<> state(space);
+        for (const auto &[x, y] : points)
+        {
+            state[0] = x;
+            state[1] = y;
+            path.append(state.get());
+        }
+        return path;
     }
 
     template <typename Space>
