@@ -11,7 +11,8 @@ namespace ompl_mfa
     namespace
     {
         constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
-        /* Edges found invalid in one forward search before the cost-to-go is computed anew. */
+        /* Edges found invalid in one forward search, at the least, before the cost-to-go is computed anew, which has to
+           be worth its price, too. */
         constexpr unsigned int STALE_AFTER = 24;
         /* Edges that a search handles for the price of one state check. */
         constexpr std::uint64_t EDGES_PER_WORK = 2;
@@ -213,8 +214,9 @@ namespace ompl_mfa
         }
     }
 
-    LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit, std::size_t &goal)
+    LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit, std::uint64_t price, std::size_t &goal)
     {
+        const std::uint64_t before = evaluator_.work();
         for (auto &vertex : vertices_)
             vertex.reached = false;
         queue_.clear();
@@ -251,7 +253,7 @@ namespace ompl_mfa
             }
             if (validity == Validity::Invalid)
             {
-                if (invalid >= STALE_AFTER)
+                if (invalid >= STALE_AFTER && evaluator_.work() - before >= price)
                     return Outcome::Stale;
                 continue;
             }
@@ -288,11 +290,13 @@ namespace ompl_mfa
         exhausted_ = false;
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
+            const std::uint64_t before = evaluator_.work();
             if (!backward(bound))
                 return false;
+            const std::uint64_t price = evaluator_.work() - before;
             std::size_t goal = NONE;
             // in a large graph the backward pass alone may use up the work: the motions still get a share of their own
-            switch (forward(bound, std::max(limit, evaluator_.work() + work / 2), goal))
+            switch (forward(bound, std::max(limit, evaluator_.work() + work / 2), price, goal))
             {
                 case Outcome::Found:
                     extract(goal, path);

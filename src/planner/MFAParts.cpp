@@ -41,7 +41,7 @@ namespace ompl_mfa
         constexpr double PATIENCE = 4.0;
         /* Where there is no path yet: work of the trees before the roadmap begins, and of both before fireflies and
            recombination do. */
-        constexpr std::uint64_t FIRST_TREES = 20000;
+        constexpr std::uint64_t FIRST_TREES = 14000;
         constexpr std::uint64_t FIRST_GUIDES = 50000;
     }  // namespace
 
@@ -72,8 +72,8 @@ namespace ompl_mfa
         sharing_.add(0.05, 0.05, 0.0);  // FIREFLIES
         sharing_.add(0.03, 0.03, 0.0);  // RECOMBINATION
         sharing_.add(0.01, 0.01, 0.0);  // TIGHTENING
-        sharing_.add(0.65, 0.65, 0.0);  // TREES
-        sharing_.add(0.26, 0.26, 0.0);  // ROADMAP
+        sharing_.add(0.30, 0.30, 0.0);  // TREES
+        sharing_.add(0.61, 0.61, 0.0);  // ROADMAP
         if (plannerGuide_)
             sharing_.add(0.30, 0.30, 0.0);  // PLANNER
     }

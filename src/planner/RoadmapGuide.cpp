@@ -20,12 +20,8 @@ namespace ompl_mfa
         constexpr double SLACK = 1.15;
         /* Search of the nearest neighbours, in state checks for each of them. */
         constexpr std::uint64_t NEIGHBOUR_WORK = 4;
-        /* Stands for the sample where the nearest neighbour of a state is asked for that is not in the roadmap. */
-        constexpr std::size_t SAMPLE = std::numeric_limits<std::size_t>::max();
         /* A turn is at least so much work for each edge, of which the pass that begins a search takes a small part. */
         constexpr std::uint64_t WORK_AN_EDGE = 4;
-        /* Halvings of the motion from a valid to an invalid state. */
-        constexpr unsigned int BISECTIONS = 7;
     }  // namespace
 
     RoadmapGuide::RoadmapGuide(const ob::Planner *planner, StateChartPtr chart, PathEvaluator &evaluator,
@@ -38,18 +34,14 @@ namespace ompl_mfa
       , missing_(batch_)
       , best_(std::numeric_limits<double>::infinity())
       , sample_(chart_->space()->allocState())
-      , boundaryState_(chart_->space()->allocState())
     {
-        const auto state = [this](std::size_t i) -> const ob::State *
-        { return i == SAMPLE ? sample_ : graph_.state(i); };
-        nearest_->setDistanceFunction([this, state](std::size_t a, std::size_t b)
-                                      { return chart_->space()->distance(state(a), state(b)); });
+        nearest_->setDistanceFunction([this](std::size_t a, std::size_t b)
+                                      { return chart_->space()->distance(graph_.state(a), graph_.state(b)); });
     }
 
     RoadmapGuide::~RoadmapGuide()
     {
         chart_->space()->freeState(sample_);
-        chart_->space()->freeState(boundaryState_);
     }
 
     std::size_t RoadmapGuide::add(const ob::State *state)
@@ -89,42 +81,11 @@ namespace ompl_mfa
             const ob::State *start = query.starts()[pick(query.starts().size())];
             const ob::State *goal = query.goals()[pick(query.goals().size())];
             evaluator_.addWork(1);
-            if (!sampler_.sample(start, goal, bound, sample_))
+            if (!sampler_.sample(start, goal, bound, sample_) || !evaluator_.checkState(sample_))
                 continue;
-            if (evaluator_.checkState(sample_))
-            {
-                add(sample_);
-                --missing_;
-            }
-            else if (boundary_ < missing_ && toBoundary())
-            {
-                // shortest paths touch obstacles: states beside them are worth as many as those drawn evenly
-                add(sample_);
-                ++boundary_;
-            }
+            add(sample_);
+            --missing_;
         }
-    }
-
-    /* Moves an invalid sample toward the nearest state of the roadmap until it is valid; false if that is where it
-       ends. */
-    bool RoadmapGuide::toBoundary()
-    {
-        const auto &space = chart_->space();
-        const ob::State *valid = graph_.state(nearest_->nearest(SAMPLE));
-        evaluator_.addWork(NEIGHBOUR_WORK);
-        double within = 0.0;
-        double beyond = 1.0;
-        for (unsigned int k = 0; k < BISECTIONS; ++k)
-        {
-            const double middle = 0.5 * (within + beyond);
-            space->interpolate(valid, sample_, middle, boundaryState_);
-            space->enforceBounds(boundaryState_);
-            (evaluator_.checkState(boundaryState_) ? within : beyond) = middle;
-        }
-        space->interpolate(valid, sample_, within, boundaryState_);
-        space->enforceBounds(boundaryState_);
-        space->copyState(sample_, boundaryState_);
-        return within > 0.0 && evaluator_.checkState(sample_);
     }
 
     bool RoadmapGuide::advance(const Query &query, double bound, std::uint64_t work, Waypoints &path)
@@ -151,7 +112,6 @@ namespace ompl_mfa
             if (graph_.exhausted())
             {
                 missing_ = batch_;
-                boundary_ = 0;
                 batch_ += batch_ / 4;
             }
         }

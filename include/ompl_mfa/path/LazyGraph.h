@@ -15,7 +15,8 @@ namespace ompl_mfa
 
         A search for a path better than a bound makes one backward pass that ignores unchecked collisions, which gives
         an exact cost-to-go of what is known, and then goes forward best first; a motion is checked when it is the most
-        promising one left. When many have turned out invalid, the cost-to-go is computed anew. */
+        promising one left. When many have turned out invalid, and this has taken as long as a backward pass, the
+        cost-to-go is computed anew. */
     class LazyGraph
     {
     public:
@@ -115,7 +116,7 @@ namespace ompl_mfa
         bool backwardInOrder();
         bool backwardBestFirst(bool monotone, double bound);
         bool relax(const Edge &edge);
-        Outcome forward(double bound, std::uint64_t limit, std::size_t &goal);
+        Outcome forward(double bound, std::uint64_t limit, std::uint64_t price, std::size_t &goal);
         bool checkEdge(const Edge &edge);
         void expand(std::size_t vertex, double bound);
         void extract(std::size_t goal, Waypoints &path) const;

@@ -34,7 +34,6 @@ namespace ompl_mfa
 
     private:
         void addEnds(const Query &query);
-        bool toBoundary();
         void addBatch(const Query &query, double bound, std::uint64_t limit);
         std::size_t add(const ompl::base::State *state);
 
@@ -47,11 +46,9 @@ namespace ompl_mfa
         std::size_t starts_{0};  ///< how many of the query's states are in the graph
         std::size_t goals_{0};
         std::size_t batch_{50};
-        std::size_t missing_{0};   ///< states of the current batch yet to be drawn
-        std::size_t boundary_{0};  ///< states of the current batch beside obstacles
-        double best_;              ///< cost of the best path of the graph
+        std::size_t missing_{0};  ///< states of the current batch yet to be drawn
+        double best_;             ///< cost of the best path of the graph
         ompl::base::State *sample_;
-        ompl::base::State *boundaryState_;
     };
 }  // namespace ompl_mfa
 
