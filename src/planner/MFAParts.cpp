@@ -43,6 +43,8 @@ namespace ompl_mfa
            recombination do. */
         constexpr std::uint64_t FIRST_TREES = 14000;
         constexpr std::uint64_t FIRST_GUIDES = 50000;
+        /* Dimensions beyond which the roadmap has less of the time. */
+        constexpr double ROADMAP_DIMENSIONS = 3.0;
     }  // namespace
 
     void MFA::prepareParts()
@@ -82,12 +84,14 @@ namespace ompl_mfa
     {
         // parts whose first turn is long for their share begin the later, the longer the first path took
         const double soFar = std::accumulate(spent_.begin(), spent_.end(), 0.0);
+        // a roadmap of n states leaves gaps of n^(-1/d): the more dimensions, the less it finds, and trees begin anew
+        const double dense = std::min(1.0, ROADMAP_DIMENSIONS / static_cast<double>(chart_->dimension()));
         sharing_ = TurnSharing();
-        sharing_.add(0.06, 0.08, soFar / 0.06);  // FIREFLIES
-        sharing_.add(0.03, 0.06, soFar / 0.03);  // RECOMBINATION
-        sharing_.add(0.30, 0.12, 0.0);           // TIGHTENING
-        sharing_.add(0.15, 0.08, soFar / 0.15);  // TREES
-        sharing_.add(0.20, 0.32, 0.0);           // ROADMAP
+        sharing_.add(0.06, 0.08, soFar / 0.06);                         // FIREFLIES
+        sharing_.add(0.03, 0.06, soFar / 0.03);                         // RECOMBINATION
+        sharing_.add(0.30, 0.12, 0.0);                                  // TIGHTENING
+        sharing_.add(0.15, 0.08 + 0.10 * (1.0 - dense), soFar / 0.15);  // TREES
+        sharing_.add(0.20 * dense, 0.32 * dense, 0.0);                  // ROADMAP
         if (plannerGuide_)
             sharing_.add(0.20, 0.20, 0.0);  // PLANNER
     }
