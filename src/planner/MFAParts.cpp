@@ -39,11 +39,12 @@ namespace ompl_mfa
         constexpr unsigned int RUNGS = 7;
         /* A new path is given up once so many more rounds like the last would not make it the best. */
         constexpr double PATIENCE = 4.0;
-        /* Where there is no path yet: work of the trees before the roadmap begins, and of both before fireflies and
-           recombination do. */
+        /* Where there is no path yet: work and processor time (s) of the trees before the roadmap begins, and work of
+           both before fireflies and recombination do. */
         constexpr std::uint64_t FIRST_TREES = 14000;
+        constexpr double FIRST_TREES_TIME = 0.01;
         constexpr std::uint64_t FIRST_GUIDES = 50000;
-        /* Dimensions beyond which the roadmap has less of the time. */
+        /* Dimensions beyond which the roadmap has less of the time, and below which more. */
         constexpr double ROADMAP_DIMENSIONS = 3.0;
     }  // namespace
 
@@ -85,7 +86,7 @@ namespace ompl_mfa
         // parts whose first turn is long for their share begin the later, the longer the first path took
         const double soFar = std::accumulate(spent_.begin(), spent_.end(), 0.0);
         // a roadmap of n states leaves gaps of n^(-1/d): the more dimensions, the less it finds, and trees begin anew
-        const double dense = std::min(1.0, ROADMAP_DIMENSIONS / static_cast<double>(chart_->dimension()));
+        const double dense = std::min(1.5, ROADMAP_DIMENSIONS / static_cast<double>(chart_->dimension()));
         sharing_ = TurnSharing();
         sharing_.add(0.06, 0.08, soFar / 0.06);                         // FIREFLIES
         sharing_.add(0.03, 0.06, soFar / 0.03);                         // RECOMBINATION
@@ -125,7 +126,9 @@ namespace ompl_mfa
                                    activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
         available[TIGHTENING] = tightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
         available[TREES] = trees_ && ends;
-        const bool early = trees_ && !incumbent_->hasPath() && evaluator_->work() < FIRST_TREES;
+        // where checks are cheap, their number says little; a seeded run must not depend on a clock
+        const bool early = trees_ && !incumbent_->hasPath() &&
+                           (evaluator_->work() < FIRST_TREES || (seed_ == 0 && spent_[TREES] < FIRST_TREES_TIME));
         available[ROADMAP] = roadmap_ && ends && !early;
         available[PLANNER] = guidePlanner;
         return available;
