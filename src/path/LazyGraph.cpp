@@ -214,9 +214,9 @@ namespace ompl_mfa
         }
     }
 
-    LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit, std::uint64_t price, std::size_t &goal)
+    /* Takes up to \e limit of PathEvaluator::work(); from \e renewal on a new backward pass is worth its price. */
+    LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit, std::uint64_t renewal, std::size_t &goal)
     {
-        const std::uint64_t before = evaluator_.work();
         for (auto &vertex : vertices_)
             vertex.reached = false;
         queue_.clear();
@@ -253,7 +253,7 @@ namespace ompl_mfa
             }
             if (validity == Validity::Invalid)
             {
-                if (invalid >= STALE_AFTER && evaluator_.work() - before >= price)
+                if (invalid >= STALE_AFTER && evaluator_.work() >= renewal)
                     return Outcome::Stale;
                 continue;
             }
@@ -293,10 +293,10 @@ namespace ompl_mfa
             const std::uint64_t before = evaluator_.work();
             if (!backward(bound))
                 return false;
-            const std::uint64_t price = evaluator_.work() - before;
+            const std::uint64_t now = evaluator_.work();
             std::size_t goal = NONE;
             // in a large graph the backward pass alone may use up the work: the motions still get a share of their own
-            switch (forward(bound, std::max(limit, evaluator_.work() + work / 2), price, goal))
+            switch (forward(bound, std::max(limit, now + work / 2), now + (now - before), goal))
             {
                 case Outcome::Found:
                     extract(goal, path);

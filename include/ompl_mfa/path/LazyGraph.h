@@ -116,7 +116,7 @@ namespace ompl_mfa
         bool backwardInOrder();
         bool backwardBestFirst(bool monotone, double bound);
         bool relax(const Edge &edge);
-        Outcome forward(double bound, std::uint64_t limit, std::uint64_t price, std::size_t &goal);
+        Outcome forward(double bound, std::uint64_t limit, std::uint64_t renewal, std::size_t &goal);
         bool checkEdge(const Edge &edge);
         void expand(std::size_t vertex, double bound);
         void extract(std::size_t goal, Waypoints &path) const;
