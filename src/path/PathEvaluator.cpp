@@ -192,7 +192,7 @@ namespace ompl_mfa
         return objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(factor * cost)) ? factor * cost : cost;
     }
 
-    Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival)
+    Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival, unsigned int stride)
     {
         Brightness result{0.0, cost(path).value()};
         if (interrupted_)
@@ -203,6 +203,8 @@ namespace ompl_mfa
         const std::size_t motions = path.size() - 1;
         // a path that fails often fails where the last one did
         const std::size_t first = partialPath_ || lastInvalid_ >= motions ? 0 : lastInvalid_;
+        if (stride > 1 && !partialPath_ && !addInvalidLengths(path, first, stride, rival, result))
+            return result;
         const auto number = [first](std::size_t k) { return k == 0 ? first : (k <= first ? k - 1 : k); };
         motions_.clear();
         for (std::size_t k = 0; k < motions; ++k)
@@ -235,19 +237,57 @@ namespace ompl_mfa
         partialPath_(path, motion, scratch_);
     }
 
-    double PathEvaluator::invalidLength(const ob::State *from, const ob::State *to)
+    /* Of the states that divide a motion into \e count pieces, and its end. */
+    unsigned int PathEvaluator::countInvalid(const ob::State *from, const ob::State *to, unsigned int count)
     {
-        const auto &space = si_->getStateSpace();
-        const unsigned int count = std::max(1U, space->validSegmentCount(from, to));
-        unsigned int invalid = parallel_ ? parallel_->countInvalid({from, to}, count) : 0;
-        for (unsigned int j = 1; j <= count && !parallel_; ++j)
+        work_ += count;
+        if (parallel_)
+            return parallel_->countInvalid({from, to}, count);
+        unsigned int invalid = 0;
+        for (unsigned int j = 1; j <= count; ++j)
         {
-            space->interpolate(from, to, static_cast<double>(j) / count, scratch_);
+            si_->getStateSpace()->interpolate(from, to, static_cast<double>(j) / count, scratch_);
             if (!si_->isValid(scratch_))
                 ++invalid;
         }
-        work_ += count;
+        return invalid;
+    }
+
+    double PathEvaluator::invalidLength(const ob::State *from, const ob::State *to)
+    {
+        const unsigned int count = std::max(1U, si_->getStateSpace()->validSegmentCount(from, to));
         // a motion that only the motion validator finds invalid still counts
-        return si_->distance(from, to) * std::max(1U, invalid) / count;
+        return si_->distance(from, to) * std::max(1U, countInvalid(from, to, count)) / count;
+    }
+
+    /* Adds to the violation what one state in \e stride tells of it, from motion \e first on and then those before;
+       false if that settles the evaluation. */
+    bool PathEvaluator::addInvalidLengths(const Waypoints &path, std::size_t first, unsigned int stride,
+                                          const Brightness *rival, Brightness &result)
+    {
+        const std::size_t motions = path.size() - 1;
+        for (std::size_t k = 0; k < motions; ++k)
+        {
+            if (stopped())
+            {
+                result = {};
+                return false;
+            }
+            const std::size_t i = (first + k) % motions;
+            const unsigned int count =
+                std::max(1U, si_->getStateSpace()->validSegmentCount(path[i], path[i + 1]) / stride);
+            const unsigned int invalid = countInvalid(path[i], path[i + 1], count);
+            if (invalid == 0)
+                continue;
+            if (result.violation == 0.0)
+                lastInvalid_ = i;
+            result.violation += si_->distance(path[i], path[i + 1]) * invalid / count;
+            if (rival != nullptr && result.violation > rival->violation)
+            {
+                result = {};
+                return false;
+            }
+        }
+        return result.violation == 0.0;
     }
 }  // namespace ompl_mfa

@@ -39,7 +39,7 @@ namespace ompl_mfa
     }  // namespace
 
     SliceFrame SliceFrame::straight(const StateChartPtr &chart, const ob::State *start, const ob::State *goal,
-                                    unsigned int segments)
+                                    unsigned int segments, double reach)
     {
         Eigen::VectorXd delta(chart->dimension());
         chart->difference(start, goal, delta);
@@ -49,7 +49,7 @@ namespace ompl_mfa
             chart->displace(start, delta * (static_cast<double>(k) / segments), axis[k]);
         chart->space()->copyState(axis[0], start);
         chart->space()->copyState(axis[segments], goal);
-        return {chart, std::move(axis)};
+        return {chart, std::move(axis), reach};
     }
 
     SliceFrame::SliceFrame(StateChartPtr chart, Waypoints axis, double reach)

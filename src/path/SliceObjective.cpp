@@ -24,6 +24,11 @@ namespace ompl_mfa
         bound_ = bound;
     }
 
+    void SliceObjective::setStride(unsigned int stride)
+    {
+        stride_ = stride;
+    }
+
     Brightness SliceObjective::evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival)
     {
         if (modes_ != nullptr)
@@ -41,7 +46,7 @@ namespace ompl_mfa
             if (!evaluator_.objective()->isCostBetterThan(cost, ompl::base::Cost(bound_)))
                 return {beyondBound_ + std::abs(cost.value() - bound_), cost.value()};
         }
-        const Brightness brightness = evaluator_.evaluate(path_, rival);
+        const Brightness brightness = evaluator_.evaluate(path_, rival, stride_);
         if (brightness.isFeasible())
             validPath_(path_, brightness);
         return brightness;

@@ -15,7 +15,7 @@ namespace ompl_mfa
         constexpr unsigned int MAX_THREADS = 64;
         /* Fireflies of the paper, and of a swarm that other parts assist. */
         constexpr unsigned int PAPER_POPULATION = 100;
-        constexpr unsigned int POPULATION = 30;
+        constexpr unsigned int POPULATION = 20;
 
         FireflyOptimizer::Settings validated(const FireflyOptimizer::Settings &settings)
         {

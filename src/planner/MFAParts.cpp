@@ -16,7 +16,7 @@ namespace ompl_mfa
     {
         /* Pairs of start and goal beyond these get no swarm of their own. */
         constexpr std::size_t MAX_SWARMS = 8;
-        /* Paths of other homotopy classes that are kept as axes of curved frames. */
+        /* Paths of other homotopy classes that are kept for windows across them. */
         constexpr std::size_t MAX_ALTERNATIVES = 3;
         /* A path is an alternative if its tightened cost is at most this many times the best. */
         constexpr double ALTERNATIVE = 1.1;
@@ -24,18 +24,15 @@ namespace ompl_mfa
         constexpr double SPLICE_SLACK = 1.1;
         /* The same for a firefly. */
         constexpr double FIREFLY_SLACK = 1.2;
-        /* Slices of a curved frame at the most. */
-        constexpr std::size_t MAX_CURVED_SLICES = 40;
-        /* Half the width of a curved frame in parts of its length: first, and when it is laid wide again. */
-        constexpr double WIDEST_REACH = 0.25;
-        constexpr double NARROWEST_REACH = 0.005;
-        /* The curved frame is laid anew once the best path is this much better. */
-        constexpr double NEW_FRAME_GAIN = 0.02;
+        /* Generations in a window. */
+        constexpr unsigned int WINDOW_GENERATIONS = 15;
+        /* One window in so many has its slices across the path, not across the straight motion. */
+        constexpr std::size_t CURVED_WINDOWS = 3;
         /* Rounds of tightening that a new path gets at the most, and the work of each, in parts of the work of checking
            the path once. */
         constexpr unsigned int TIGHTENING_ROUNDS = 8;
         constexpr std::uint64_t TIGHTENING_FACTOR = 3;
-        /* Motions between a firefly and the best path that tell whether they are of one homotopy class. */
+        /* Motions between a firefly and the path that tell whether they are of one homotopy class. */
         constexpr unsigned int RUNGS = 7;
         /* A new path is given up once so many more rounds like the last would not make it the best. */
         constexpr double PATIENCE = 4.0;
@@ -44,8 +41,14 @@ namespace ompl_mfa
         constexpr std::uint64_t FIRST_TREES = 14000;
         constexpr double FIRST_TREES_TIME = 0.01;
         constexpr std::uint64_t FIRST_GUIDES = 50000;
-        /* Dimensions beyond which the roadmap has less of the time, and below which more. */
+        /* Dimensions beyond which the roadmap has less of the time, and below which more, but no more than so many
+           times as much. */
         constexpr double ROADMAP_DIMENSIONS = 3.0;
+        constexpr double MOST_ROADMAP = 1.5;
+        /* Fireflies and trees begin to improve a path after these multiples of the time that it took: where a first
+           path is hard to find, another is too. */
+        constexpr double FIREFLIES_DELAY = 10.0;
+        constexpr double TREES_DELAY = 6.7;
     }  // namespace
 
     void MFA::prepareParts()
@@ -63,7 +66,7 @@ namespace ompl_mfa
             tightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 3);
             newTightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 4);
         }
-        reach_ = WIDEST_REACH;
+        windowRandom_ = RandomSource(runSeed_ + 5);
         probes_ = 0;
         followedStraight_ = false;
     }
@@ -83,16 +86,17 @@ namespace ompl_mfa
 
     void MFA::shareForImprovement()
     {
-        // parts whose first turn is long for their share begin the later, the longer the first path took
         const double soFar = std::accumulate(spent_.begin(), spent_.end(), 0.0);
-        // a roadmap of n states leaves gaps of n^(-1/d): the more dimensions, the less it finds, and trees begin anew
-        const double dense = std::min(1.5, ROADMAP_DIMENSIONS / static_cast<double>(chart_->dimension()));
+        // a roadmap of n states leaves gaps of n^(-1/d): the more dimensions, the less it finds
+        const double roadmap = std::min(MOST_ROADMAP, ROADMAP_DIMENSIONS / static_cast<double>(chart_->dimension()));
+        const double others = 1.0 - roadmap;
+        const double fireflies = 0.08 + 0.14 * std::max(0.0, others);
         sharing_ = TurnSharing();
-        sharing_.add(0.06, 0.08, soFar / 0.06);                         // FIREFLIES
-        sharing_.add(0.03, 0.06, soFar / 0.03);                         // RECOMBINATION
+        sharing_.add(fireflies, fireflies, FIREFLIES_DELAY * soFar);    // FIREFLIES
+        sharing_.add(0.04, 0.04, FIREFLIES_DELAY * soFar);              // RECOMBINATION
         sharing_.add(0.30, 0.12, 0.0);                                  // TIGHTENING
-        sharing_.add(0.15, 0.08 + 0.10 * (1.0 - dense), soFar / 0.15);  // TREES
-        sharing_.add(0.20 * dense, 0.32 * dense, 0.0);                  // ROADMAP
+        sharing_.add(0.15, 0.08 + 0.10 * others, TREES_DELAY * soFar);  // TREES
+        sharing_.add(0.20 * roadmap, 0.32 * roadmap, 0.0);              // ROADMAP
         if (plannerGuide_)
             sharing_.add(0.20, 0.20, 0.0);  // PLANNER
     }
@@ -101,9 +105,9 @@ namespace ompl_mfa
     {
         activeSwarm_ = nullptr;
         swarms_.clear();
-        curvedSwarm_.reset();
+        window_.reset();
         alternatives_.clear();
-        nextSwarm_ = nextAxis_ = 0;
+        nextSwarm_ = windows_ = nextAlternative_ = 0;
         trees_.reset();
         roadmap_.reset();
         plannerGuide_.reset();
@@ -121,7 +125,7 @@ namespace ompl_mfa
         const bool guidePlanner = ends && plannerGuide_ && plannerGuide_->accepts(*query_);
         const bool guided = guidePlanner || (ends && (trees_ || roadmap_));
         const bool waiting = guided && !incumbent_->hasPath() && evaluator_->work() < FIRST_GUIDES;
-        available[FIREFLIES] = !waiting && (!swarms_.empty() || curvedSwarm_);
+        available[FIREFLIES] = !waiting && (!swarms_.empty() || window_);
         available[RECOMBINATION] = !waiting && useRecombination_ && activeSwarm_ != nullptr &&
                                    activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
         available[TIGHTENING] = tightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
@@ -225,79 +229,47 @@ namespace ompl_mfa
         fireflyCost_ = cost;
     }
 
-    /* An axis through the vertices of a path, with vertices more where its motions are long. */
-    Waypoints MFA::curvedAxis(const Waypoints &path) const
+    /* A part of the best path, any as likely as any other; where the slices are laid across the path, the alternatives
+       have their turns too. */
+    void MFA::openWindow()
     {
-        Waypoints axis(si_->getStateSpace());
-        const double spacing = path.length() / (slices_ + 1);
-        axis.append(path.front());
-        for (std::size_t i = 1; i < path.size(); ++i)
-        {
-            const double distance = si_->distance(path[i - 1], path[i]);
-            const auto pieces =
-                spacing > 0.0 ? std::max(1U, static_cast<unsigned int>(std::lround(distance / spacing))) : 1U;
-            for (unsigned int j = 1; j < pieces && axis.size() < MAX_CURVED_SLICES; ++j)
-            {
-                axis.append(path[i]);
-                auto *state = axis[axis.size() - 1];
-                si_->getStateSpace()->interpolate(path[i - 1], path[i], static_cast<double>(j) / pieces, state);
-                si_->getStateSpace()->enforceBounds(state);
-            }
-            axis.append(path[i]);
-        }
-        return axis;
+        const bool curved = windows_ % CURVED_WINDOWS == CURVED_WINDOWS - 1;
+        const std::size_t axis = curved ? windows_ / CURVED_WINDOWS % (alternatives_.size() + 1) : 0;
+        WindowSwarm::Window window{axis == 0 ? incumbent_->path() : alternatives_[axis - 1], 0, 0, incumbent_->cost()};
+        const auto vertices = static_cast<unsigned int>(window.path.size());
+        // a single motion can only be replaced where it is all there is
+        window.first = vertices > 2 ? windowRandom_.index(vertices - 2) : 0;
+        const auto nearest = std::min<std::size_t>(window.first + 2, vertices - 1);
+        window.last = nearest + windowRandom_.index(static_cast<unsigned int>(vertices - nearest));
+        auto settings = swarmSettings();
+        settings.generations = std::min(settings.generations, WINDOW_GENERATIONS);
+        ++windows_;
+        window_ =
+            WindowSwarm::open(std::move(window), curved ? WindowSwarm::Frame::Curved : WindowSwarm::Frame::Straight,
+                              (slices_ + 1) / 2, chart_, *evaluator_, settings, runSeed_ + 7 * windows_ + 17);
     }
 
-    void MFA::layCurvedFrame()
-    {
-        // in turn the best path and the alternatives
-        nextAxis_ = nextAxis_ % (alternatives_.size() + 1);
-        const Waypoints &path = nextAxis_ == 0 ? incumbent_->path() : alternatives_[nextAxis_ - 1];
-        if (!curvedSwarm_ || incumbent_->cost() == curvedCost_)
-            reach_ = reach_ > NARROWEST_REACH ? 0.5 * reach_ : WIDEST_REACH;
-        Waypoints axis = curvedAxis(path);
-        SliceFrame frame(chart_, std::move(axis), reach_ * path.length());
-        activeSwarm_ = nullptr;
-        curvedSwarm_.reset();
-        curvedCost_ = incumbent_->cost();
-        if (frame.dimension() == 0)
-            return;
-        const Waypoints origins = frame.axis();
-        curvedSwarm_ = makeSwarm(std::move(frame), runSeed_ + 7 * iterations_ + 17);
-        curvedSwarm_->inject(origins);
-        ++nextAxis_;
-    }
-
-    /* The swarms take turns by generations; the curved one has every other. */
+    /* The swarms on the straight axes take turns by generations. Once there is a path, those in windows of it have
+       every other turn, or all of them where there is only one axis: the whole path is a window too. */
     void MFA::chooseSwarm()
     {
-        const bool curved = useTightening_ || useTrees_ || useRoadmap_ || plannerGuide_;
-        if (curved && incumbent_->hasPath() && nextSwarm_++ % 2 == 0)
+        activeSwarm_ = nullptr;
+        const bool windows = incumbent_->hasPath() && (useTightening_ || guided());
+        if (windows && (swarms_.size() < 2 || nextSwarm_++ % 2 == 0))
         {
-            const bool improved =
-                std::abs(curvedCost_ - incumbent_->cost()) > NEW_FRAME_GAIN * std::abs(incumbent_->cost());
-            if (!curvedSwarm_ || curvedSwarm_->epoch() > 0 || improved)
-                layCurvedFrame();
-            if (curvedSwarm_)
-            {
-                activeSwarm_ = curvedSwarm_.get();
-                return;
-            }
+            if (!window_ || window_->exhausted())
+                openWindow();
+            if (window_)
+                activeSwarm_ = &window_->swarm();
         }
-        if (!swarms_.empty())
+        if (activeSwarm_ == nullptr && !swarms_.empty())
             activeSwarm_ = swarms_[iterations_ / (2UL * settings_.generations) % swarms_.size()].get();
     }
 
-    void MFA::fly(std::uint64_t work)
+    /* A generation, or a part of one if the work is done; true if it was completed. */
+    bool MFA::flyStep(std::uint64_t work)
     {
-        if (activeSwarm_ == nullptr)
-            chooseSwarm();
-        if (activeSwarm_ == nullptr)
-            return;
         const std::uint64_t limit = evaluator_->work() + work;
-        // a path that tightening cannot make the best is of no use; the paper's fireflies know no such bound
-        if (useTightening_ || useRecombination_)
-            activeSwarm_->setBound(evaluator_->withSlack(incumbent_->cost(), FIREFLY_SLACK));
         const bool completed = activeSwarm_->step(
             [&]
             {
@@ -306,20 +278,70 @@ namespace ompl_mfa
                 ++evaluations_;
                 return false;
             });
-        if (completed)
-        {
-            if (activeSwarm_->fireflies().generation() > 0)
-                ++iterations_;
+        if (completed && activeSwarm_->fireflies().generation() > 0)
+            ++iterations_;
+        return completed;
+    }
+
+    void MFA::fly(std::uint64_t work)
+    {
+        if (activeSwarm_ == nullptr)
             chooseSwarm();
+        if (activeSwarm_ == nullptr)
+            return;
+        if (window_ && activeSwarm_ == &window_->swarm())
+        {
+            if (flyStep(work))
+            {
+                pursueWindow();
+                chooseSwarm();
+            }
+            return;
         }
+        // a path that tightening cannot make the best is of no use; the paper's fireflies know no such bound
+        if (useTightening_ || useRecombination_)
+            activeSwarm_->setBound(evaluator_->withSlack(incumbent_->cost(), FIREFLY_SLACK));
+        if (flyStep(work))
+            chooseSwarm();
         // one that can be deformed into the best path would only be tightened to that
         if (!firefly_.empty() && !seemDeformable(*evaluator_, firefly_, incumbent_->path(), RUNGS))
             offerTightened(firefly_);
         firefly_.clear();
     }
 
+    /* The way that the fireflies of a window found is compared with the one that is there, after tightening; then the
+       window has served. */
+    void MFA::pursueWindow()
+    {
+        if (window_->found().empty() || evaluator_->stopped())
+            return;
+        activeSwarm_ = nullptr;
+        const std::unique_ptr<WindowSwarm> window = std::move(window_);
+        ob::Cost cost = evaluator_->cost(window->found());
+        if (!useTightening_)
+        {
+            if (objective_->isCostBetterThan(cost, window->cost()))
+                offerTightened(window->withWay(window->found()));
+            return;
+        }
+        if (seemDeformable(*evaluator_, window->found(), window->part(), RUNGS))
+            return;
+        cost = tightenAgainst(window->found(), cost, window->cost());
+        if (objective_->isCostBetterThan(cost, window->cost()))
+            offerTightened(window->withWay(newTightening_->path()));
+    }
+
     void MFA::recombine(std::uint64_t work)
     {
+        if (window_ && activeSwarm_ == &window_->swarm())
+        {
+            if (window_->recombine(work))
+            {
+                pursueWindow();
+                chooseSwarm();
+            }
+            return;
+        }
         Waypoints onSlices(si_->getStateSpace());
         Waypoints spliced(si_->getStateSpace());
         if (!incumbent_->hasPath() || !activeSwarm_->frame().crossings(incumbent_->path(), onSlices))
@@ -347,20 +369,32 @@ namespace ompl_mfa
             offerTightened(path);
     }
 
-    /* A path from a guide or a splice is far from the best of its homotopy class: it is compared after tightening,
-       which goes on for as long as what the last rounds gained promises that the path will become the best. */
+    /* A path from a guide or a splice is far from the best of its homotopy class: it is compared after tightening. */
     void MFA::offerTightened(const Waypoints &path)
     {
-        double cost = evaluator_->cost(path).value();
+        ob::Cost cost = evaluator_->cost(path);
         if (evaluator_->interrupted())
         {
             untaken_ = path;
             return;
         }
         ++evaluations_;
-        offer(path, cost);
+        offer(path, cost.value());
         if (!useTightening_)
             return;
+        cost = tightenAgainst(path, cost, ob::Cost(incumbent_->cost()));
+        if (!incumbent_->improvedBy(cost.value()))
+            return keepAlternative(newTightening_->path(), cost.value());
+        // the best path's own tightening goes on from here
+        offer(newTightening_->path(), cost.value());
+        std::swap(tightening_, newTightening_);
+        tighteningStale_ = false;
+    }
+
+    /* Tightens a path of this cost until it is better than the rival, or for as long as what the last rounds gained
+       promises that it will be. Returns the cost of what newTightening_ then has. */
+    ob::Cost MFA::tightenAgainst(const Waypoints &path, ob::Cost cost, ob::Cost rival)
+    {
         std::uint64_t check = path.size();
         for (std::size_t i = 1; i < path.size(); ++i)
             check += si_->getStateSpace()->validSegmentCount(path[i - 1], path[i]);
@@ -368,20 +402,13 @@ namespace ompl_mfa
         for (unsigned int k = 0; k < TIGHTENING_ROUNDS && !newTightening_->converged() && !evaluator_->stopped(); ++k)
         {
             newTightening_->advance(TIGHTENING_FACTOR * check);
-            const double before = cost;
-            cost = newTightening_->cost().value();
-            if (incumbent_->improvedBy(cost))
-            {
-                // the best path's own tightening goes on from here
-                offer(newTightening_->path(), cost);
-                std::swap(tightening_, newTightening_);
-                tighteningStale_ = false;
-                return;
-            }
-            if (k > 0 && !incumbent_->improvedBy(cost - PATIENCE * (before - cost)))
+            const double before = cost.value();
+            cost = newTightening_->cost();
+            const ob::Cost promised(cost.value() - PATIENCE * (before - cost.value()));
+            if (objective_->isCostBetterThan(cost, rival) || (k > 0 && !objective_->isCostBetterThan(promised, rival)))
                 break;
         }
-        keepAlternative(newTightening_->path(), cost);
+        return cost;
     }
 
     void MFA::keepAlternative(const Waypoints &path, double cost)
@@ -392,6 +419,6 @@ namespace ompl_mfa
         if (alternatives_.size() < MAX_ALTERNATIVES)
             alternatives_.push_back(path);
         else
-            alternatives_[nextAxis_ % MAX_ALTERNATIVES] = path;
+            alternatives_[nextAlternative_++ % MAX_ALTERNATIVES] = path;
     }
 }  // namespace ompl_mfa

@@ -52,21 +52,21 @@ namespace ompl_mfa
         // planner data point to states of the planner: these copies live until the next call
         plannerDataPaths_.clear();
         std::vector<bool> checked;
-        std::vector<const Swarm *> swarms;
-        for (const auto &swarm : swarms_)
-            swarms.push_back(swarm.get());
-        if (curvedSwarm_)
-            swarms.push_back(curvedSwarm_.get());
-        for (const Swarm *swarm : swarms)
+        const auto addSwarm = [&](const Swarm &swarm, const WindowSwarm *window)
         {
-            const FireflyOptimizer &fireflies = swarm->fireflies();
+            const FireflyOptimizer &fireflies = swarm.fireflies();
+            Waypoints path(si_->getStateSpace());
             for (const unsigned int i : fireflies.order())
             {
-                plannerDataPaths_.emplace_back(si_->getStateSpace());
-                swarm->pathOf(i, plannerDataPaths_.back());
+                swarm.pathOf(i, path);
+                plannerDataPaths_.push_back(window != nullptr ? window->withWay(path) : path);
                 checked.push_back(fireflies.brightness(i).isFeasible());
             }
-        }
+        };
+        for (const auto &swarm : swarms_)
+            addSwarm(*swarm, nullptr);
+        if (window_)
+            addSwarm(window_->swarm(), window_.get());
         if (incumbent_->hasPath())
         {
             plannerDataPaths_.push_back(incumbent_->path());
@@ -95,12 +95,13 @@ namespace ompl_mfa
         if (activeSwarm_ == nullptr)
             return paths;
         const Swarm &swarm = *activeSwarm_;
+        const bool window = window_ && &swarm == &window_->swarm();
         Waypoints waypoints(si_->getStateSpace());
         for (const unsigned int i : swarm.fireflies().order())
         {
             swarm.pathOf(i, waypoints);
             paths.emplace_back(si_);
-            waypoints.appendTo(paths.back());
+            (window ? window_->withWay(waypoints) : waypoints).appendTo(paths.back());
         }
         return paths;
     }

@@ -110,8 +110,11 @@ namespace ompl_mfa
             length of its invalid part in the unit of the space's distance.
 
             With a \e rival, an infinitely dim answer is given as soon as the path is known not to be brighter; a path
-            that cannot win on cost is never checked for collision. */
-        Brightness evaluate(const Waypoints &path, const Brightness *rival);
+            that cannot win on cost is never checked for collision.
+
+            With a \e stride above 1, one state in so many is asked first; where one of these is invalid they alone make
+            up the violation. Only a path of which every state is valid is ever feasible. */
+        Brightness evaluate(const Waypoints &path, const Brightness *rival, unsigned int stride = 1);
 
         bool isBrighter(const Brightness &a, const Brightness &b) const;
 
@@ -147,6 +150,9 @@ namespace ompl_mfa
         bool checkAll();
         bool checkBetween(const Motion &motion);
         void reportPartialPath(const Waypoints &path, std::size_t motion);
+        bool addInvalidLengths(const Waypoints &path, std::size_t first, unsigned int stride, const Brightness *rival,
+                               Brightness &result);
+        unsigned int countInvalid(const ompl::base::State *from, const ompl::base::State *to, unsigned int count);
         double invalidLength(const ompl::base::State *from, const ompl::base::State *to);
 
         ompl::base::SpaceInformationPtr si_;

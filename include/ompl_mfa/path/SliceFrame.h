@@ -25,9 +25,11 @@ namespace ompl_mfa
     class SliceFrame
     {
     public:
-        /** \brief A straight frame with \e segments >= 1 segments, that is segments - 1 slices. */
+        /** \brief A straight frame with \e segments >= 1 segments, that is segments - 1 slices. No coordinate exceeds
+            \e reach (a distance). */
         static SliceFrame straight(const StateChartPtr &chart, const ompl::base::State *start,
-                                   const ompl::base::State *goal, unsigned int segments);
+                                   const ompl::base::State *goal, unsigned int segments,
+                                   double reach = std::numeric_limits<double>::infinity());
 
         /** \brief A frame along \e axis: its first and last state are start and goal, those between are the origins of
             the slices. No coordinate exceeds \e reach (a distance). Throws std::invalid_argument with fewer than two

@@ -26,6 +26,9 @@ namespace ompl_mfa
             collision, and is dimmer than any that is, by its distance from the bound. Infinite: no bound. */
         void setBound(double bound);
 
+        /** \brief As in PathEvaluator::evaluate; 1 at first. */
+        void setStride(unsigned int stride);
+
         Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) override;
         bool isBrighter(const Brightness &a, const Brightness &b) const override;
 
@@ -37,6 +40,7 @@ namespace ompl_mfa
         Waypoints path_;
         Eigen::VectorXd coordinates_;
         double bound_;
+        unsigned int stride_{1};
         double beyondBound_;  ///< larger than the violation of any path that keeps to the bound
     };
 }  // namespace ompl_mfa

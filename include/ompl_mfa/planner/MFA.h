@@ -23,6 +23,7 @@
 #include "ompl_mfa/planner/Swarm.h"
 #include "ompl_mfa/planner/TreeGuide.h"
 #include "ompl_mfa/planner/TurnSharing.h"
+#include "ompl_mfa/planner/WindowSwarm.h"
 
 namespace ompl_mfa
 {
@@ -144,13 +145,15 @@ namespace ompl_mfa
         std::unique_ptr<Swarm> makeSwarm(SliceFrame frame, std::uint64_t seed);
         void takeFirefly(const Waypoints &path, double cost);
         void chooseSwarm();
-        void layCurvedFrame();
-        Waypoints curvedAxis(const Waypoints &path) const;
+        void openWindow();
+        bool flyStep(std::uint64_t work);
+        void pursueWindow();
         void fly(std::uint64_t work);
         void recombine(std::uint64_t work);
         void tighten(std::uint64_t work);
         void follow(Guide &guide, std::uint64_t work);
         void offerTightened(const Waypoints &path);
+        ompl::base::Cost tightenAgainst(const Waypoints &path, ompl::base::Cost cost, ompl::base::Cost rival);
         void keepAlternative(const Waypoints &path, double cost);
         void offer(const Waypoints &path, double cost);
         void publish();
@@ -164,13 +167,14 @@ namespace ompl_mfa
         std::unique_ptr<Incumbent> incumbent_;
 
         std::vector<std::unique_ptr<Swarm>> swarms_;  ///< over straight frames, one for each of the first pairs
-        std::unique_ptr<Swarm> curvedSwarm_;          ///< around the best path or an alternative
-        Swarm *activeSwarm_{nullptr};
+        std::unique_ptr<WindowSwarm> window_;         ///< in a part of the best path or an alternative
+        Swarm *activeSwarm_{nullptr};                 ///< the window's, or one of swarms_
         std::size_t nextSwarm_{0};
-        double reach_{0.0};       ///< of the next curved frame, in parts of the path's length
-        double curvedCost_{0.0};  ///< cost of the best path when the curved frame was laid
-        std::vector<Waypoints> alternatives_;
-        std::size_t nextAxis_{0};
+        std::size_t windows_{0};        ///< opened so far
+        RandomSource windowRandom_{0};  ///< draws windows
+        std::vector<Waypoints>
+            alternatives_;  ///< tightened paths of other homotopy classes, not much worse than the best
+        std::size_t nextAlternative_{0};
 
         std::unique_ptr<TreeGuide> trees_;
         std::unique_ptr<RoadmapGuide> roadmap_;

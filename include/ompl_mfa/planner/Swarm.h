@@ -41,6 +41,12 @@ namespace ompl_mfa
             objective_.setBound(bound);
         }
 
+        /** \brief As PathEvaluator::evaluate. */
+        void setStride(unsigned int stride)
+        {
+            objective_.setStride(stride);
+        }
+
         /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. */
         void pathOf(Eigen::Index i, Waypoints &path) const;
 

@@ -1,0 +1,103 @@
+#ifndef OMPL_MFA_PLANNER_WINDOW_SWARM_
+#define OMPL_MFA_PLANNER_WINDOW_SWARM_
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include <ompl/base/Cost.h>
+
+#include "ompl_mfa/planner/Swarm.h"
+
+namespace ompl_mfa
+{
+    /** \brief Fireflies in a window of a path: they look for another way between two of its vertices, and know nothing
+        of the one that is there.
+
+        A window is a problem of the paper's kind, small enough for a few generations: fewer slices, shorter paths, and
+        a way that may be longer by a part of the whole path's cost, so that it can pass an obstacle on another side
+        before it is tightened. */
+    class WindowSwarm
+    {
+    public:
+        /** \brief Where the slices lie: across the straight motion from end to end of the window, or across the path
+            within it. */
+        enum class Frame
+        {
+            Straight,
+            Curved
+        };
+
+        /** \brief The vertices \e first < \e last of a path of cost \e pathCost. */
+        struct Window
+        {
+            Waypoints path;
+            std::size_t first;
+            std::size_t last;
+            double pathCost;
+        };
+
+        /** \brief Null where the slices have no coordinates, as in one dimension. \e slices of a straight frame, and
+            about as many of a curved one; \e evaluator outlives the swarm. */
+        static std::unique_ptr<WindowSwarm> open(Window window, Frame frame, unsigned int slices,
+                                                 const StateChartPtr &chart, PathEvaluator &evaluator,
+                                                 const FireflyOptimizer::Settings &settings, std::uint64_t seed);
+
+        /** \brief One generation, as FireflyOptimizer::step. */
+        bool step(const FireflyOptimizer::StopCondition &stop);
+
+        /** \brief As Swarm::recombine; true if found() is now what it came upon. */
+        bool recombine(std::uint64_t work);
+
+        /** \brief Whether all generations were made. */
+        bool exhausted() const;
+
+        /** \brief The best valid way so far from the first vertex of the window to its last; empty if there is none. */
+        const Waypoints &found() const
+        {
+            return found_;
+        }
+
+        /** \brief The way that the path takes. */
+        const Waypoints &part() const
+        {
+            return part_;
+        }
+
+        /** \brief Cost of part(). */
+        ompl::base::Cost cost() const
+        {
+            return cost_;
+        }
+
+        /** \brief The whole path, with \e way instead of part(). */
+        Waypoints withWay(const Waypoints &way) const;
+
+        Swarm &swarm()
+        {
+            return *swarm_;
+        }
+
+        const Swarm &swarm() const
+        {
+            return *swarm_;
+        }
+
+    private:
+        WindowSwarm(Window window, PathEvaluator &evaluator);
+        SliceFrame straightFrame(const StateChartPtr &chart, unsigned int slices) const;
+        SliceFrame curvedFrame(const StateChartPtr &chart, unsigned int slices) const;
+        double reach(double axis) const;
+
+        Window window_;
+        PathEvaluator &evaluator_;
+        Waypoints part_;
+        ompl::base::Cost cost_;
+        double bound_;  ///< that a way's cost has to keep
+        std::unique_ptr<Swarm> swarm_;
+        Waypoints found_;
+        double foundCost_{0.0};
+    };
+}  // namespace ompl_mfa
+
+#endif

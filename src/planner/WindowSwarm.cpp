@@ -1,0 +1,121 @@
+#include "ompl_mfa/planner/WindowSwarm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* A way may be longer than the one that is there by this part of the whole path's cost: tightening makes it
+           shorter. */
+        constexpr double SLACK = 0.15;
+        /* Of so many states of a motion one is asked first, and the others only if all of those are valid: most
+           fireflies collide. */
+        constexpr unsigned int STRIDE = 20;
+    }  // namespace
+
+    WindowSwarm::WindowSwarm(Window window, PathEvaluator &evaluator)
+      : window_(std::move(window))
+      , evaluator_(evaluator)
+      , part_(window_.path.space())
+      , found_(window_.path.space())
+    {
+        for (std::size_t i = window_.first; i <= window_.last; ++i)
+            part_.append(window_.path[i]);
+        cost_ = evaluator_.cost(part_);
+        bound_ = cost_.value() + evaluator_.withSlack(window_.pathCost, 1.0 + SLACK) - window_.pathCost;
+    }
+
+    std::unique_ptr<WindowSwarm> WindowSwarm::open(Window window, Frame frame, unsigned int slices,
+                                                   const StateChartPtr &chart, PathEvaluator &evaluator,
+                                                   const FireflyOptimizer::Settings &settings, std::uint64_t seed)
+    {
+        std::unique_ptr<WindowSwarm> result(new WindowSwarm(std::move(window), evaluator));
+        SliceFrame laid =
+            frame == Frame::Straight ? result->straightFrame(chart, slices) : result->curvedFrame(chart, slices);
+        if (laid.dimension() == 0)
+            return nullptr;
+        const auto validWay = [found = result.get()](const Waypoints &way, const Brightness &brightness)
+        {
+            if (!found->found_.empty() && !found->evaluator_.isBrighter(brightness, {0.0, found->foundCost_}))
+                return;
+            found->found_ = way;
+            found->foundCost_ = brightness.cost;
+        };
+        result->swarm_ =
+            std::make_unique<Swarm>(std::move(laid), Swarm::Coordinates::Modes, evaluator, settings, seed, validWay);
+        result->swarm_->setBound(result->bound_);
+        result->swarm_->setStride(STRIDE);
+        return result;
+    }
+
+    /* How far aside of an axis of this length a way may go that keeps to the slack: half the minor axis of the
+       ellipsoid that holds all such ways. */
+    double WindowSwarm::reach(double axis) const
+    {
+        const double longest = part_.length() + SLACK * window_.path.length();
+        return 0.5 * std::sqrt(std::max(0.0, longest * longest - axis * axis));
+    }
+
+    SliceFrame WindowSwarm::straightFrame(const StateChartPtr &chart, unsigned int slices) const
+    {
+        return SliceFrame::straight(chart, part_.front(), part_.back(), slices + 1,
+                                    reach(chart->space()->distance(part_.front(), part_.back())));
+    }
+
+    /* An axis through the vertices, with more of them where motions are long. */
+    SliceFrame WindowSwarm::curvedFrame(const StateChartPtr &chart, unsigned int slices) const
+    {
+        const auto &space = chart->space();
+        const double length = part_.length();
+        const double spacing = length / (slices + 1);
+        Waypoints axis(space);
+        axis.append(part_.front());
+        for (std::size_t i = 1; i < part_.size(); ++i)
+        {
+            const double distance = space->distance(part_[i - 1], part_[i]);
+            const auto pieces =
+                spacing > 0.0 ? std::max(1U, static_cast<unsigned int>(std::lround(distance / spacing))) : 1U;
+            for (unsigned int j = 1; j < pieces; ++j)
+            {
+                axis.append(part_[i]);
+                auto *state = axis[axis.size() - 1];
+                space->interpolate(part_[i - 1], part_[i], static_cast<double>(j) / pieces, state);
+                space->enforceBounds(state);
+            }
+            axis.append(part_[i]);
+        }
+        return {chart, std::move(axis), reach(length)};
+    }
+
+    bool WindowSwarm::step(const FireflyOptimizer::StopCondition &stop)
+    {
+        return swarm_->step(stop);
+    }
+
+    bool WindowSwarm::recombine(std::uint64_t work)
+    {
+        return swarm_->recombine(Waypoints(window_.path.space()), bound_, work, found_);
+    }
+
+    bool WindowSwarm::exhausted() const
+    {
+        return swarm_->fireflies().generation() >= swarm_->fireflies().settings().generations;
+    }
+
+    Waypoints WindowSwarm::withWay(const Waypoints &way) const
+    {
+        Waypoints whole(window_.path.space());
+        for (std::size_t i = 0; i < window_.first; ++i)
+            whole.append(window_.path[i]);
+        for (std::size_t i = 0; i < way.size(); ++i)
+            whole.append(way[i]);
+        for (std::size_t i = window_.last + 1; i < window_.path.size(); ++i)
+            whole.append(window_.path[i]);
+        return whole;
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,155 @@
+#include "ompl_mfa/planner/WindowSwarm.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        using Frame = WindowSwarm::Frame;
+
+        struct FrameName
+        {
+            template <typename Info>
+            std::string operator()(const Info &tested) const
+            {
+                return tested.param == Frame::Straight ? "Straight" : "Curved";
+            }
+        };
+
+        class WindowSwarmTest : public ::testing::TestWithParam<Frame>
+        {
+        protected:
+            WindowSwarmTest()
+            {
+                settings_.populationSize = 20;
+                settings_.generations = 15;
+            }
+
+            Waypoints path(const std::vector<std::vector<double>> &states) const
+            {
+                Waypoints path(problem_->si->getStateSpace());
+                for (const auto &state : states)
+                    path.append(problem_->state(state).get());
+                return path;
+            }
+
+            std::unique_ptr<WindowSwarm> open(const Waypoints &path, std::size_t first, std::size_t last,
+                                              std::uint64_t seed)
+            {
+                return WindowSwarm::open({path, first, last, path.length()}, GetParam(), 6,
+                                         std::make_shared<const StateChart>(problem_->si->getStateSpace()), evaluator_,
+                                         settings_, seed);
+            }
+
+            static bool never()
+            {
+                return false;
+            }
+
+            void fly(WindowSwarm &window) const
+            {
+                while (!window.exhausted() && window.found().empty())
+                    window.step(never);
+            }
+
+            std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
+            PathEvaluator evaluator_{problem_->si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_->si)};
+            FireflyOptimizer::Settings settings_;
+            // a detour over the wall whose middle vertices leave room below
+            Waypoints detour_ = path({{1.0, 1.0}, {2.0, 1.0}, {3.0, 8.5}, {7.0, 8.5}, {8.0, 1.0}, {9.0, 1.0}});
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, WindowSwarmTest, ::testing::Values(Frame::Straight, Frame::Curved),
+                                 FrameName());
+
+        TEST_P(WindowSwarmTest, FindsAValidWayBetweenTheVertices)
+        {
+            unsigned int found = 0;
+            for (std::uint64_t seed = 0; seed < 10; ++seed)
+            {
+                const auto window = open(detour_, 1, 4, seed);
+                ASSERT_NE(window, nullptr);
+                fly(*window);
+                if (window->found().empty())
+                    continue;
+                ++found;
+                const Waypoints whole = window->withWay(window->found());
+                const auto &space = problem_->si->getStateSpace();
+                EXPECT_TRUE(space->equalStates(whole[0], detour_[0]));
+                EXPECT_TRUE(space->equalStates(whole[1], detour_[1]));
+                EXPECT_TRUE(space->equalStates(whole[whole.size() - 2], detour_[4]));
+                EXPECT_TRUE(space->equalStates(whole.back(), detour_.back()));
+                EXPECT_TRUE(evaluator_.checkPath(whole));
+                // longer than the way that is there by less than what the slack allows
+                EXPECT_LT(window->found().length(), window->cost().value() + 0.15 * detour_.length());
+            }
+            EXPECT_GE(found, 5U);
+        }
+
+        TEST_P(WindowSwarmTest, ThePathWithItsOwnPartIsThePath)
+        {
+            const auto window = open(detour_, 1, 4, 3);
+            EXPECT_DOUBLE_EQ(window->cost().value(), window->part().length());
+            const Waypoints same = window->withWay(window->part());
+            ASSERT_EQ(same.size(), detour_.size());
+            for (std::size_t i = 0; i < same.size(); ++i)
+                EXPECT_TRUE(problem_->si->getStateSpace()->equalStates(same[i], detour_[i]));
+        }
+
+        TEST_P(WindowSwarmTest, IsExhaustedAfterItsGenerations)
+        {
+            const auto window = open(detour_, 0, 5, 3);
+            EXPECT_FALSE(window->exhausted());
+            // the evaluation of the initial swarm is a step of its own
+            for (unsigned int k = 0; k < settings_.generations; ++k)
+                window->step(never);
+            EXPECT_FALSE(window->exhausted());
+            window->step(never);
+            EXPECT_TRUE(window->exhausted());
+        }
+
+        TEST_P(WindowSwarmTest, RecombinationFindsWaysToo)
+        {
+            unsigned int found = 0;
+            for (std::uint64_t seed = 0; seed < 10; ++seed)
+            {
+                const auto window = open(detour_, 1, 4, seed);
+                window->step(never);
+                if (!window->recombine(200000))
+                    continue;
+                ++found;
+                EXPECT_TRUE(evaluator_.checkPath(window->withWay(window->found())));
+            }
+            EXPECT_GE(found, 5U);
+        }
+
+        TEST_P(WindowSwarmTest, ThereIsNoneWhereSlicesHaveNoCoordinates)
+        {
+            auto line = std::make_shared<ob::RealVectorStateSpace>(1);
+            line->setBounds(0.0, 1.0);
+            auto si = std::make_shared<ob::SpaceInformation>(line);
+            si->setStateValidityChecker([](const ob::State *) { return true; });
+            si->setup();
+            PathEvaluator evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
+            Waypoints path(line);
+            ob::ScopedState<ob::RealVectorStateSpace> state(line);
+            for (const double x : {0.1, 0.5, 0.9})
+            {
+                state[0] = x;
+                path.append(state.get());
+            }
+            EXPECT_EQ(WindowSwarm::open({path, 0, 2, 0.8}, GetParam(), 6, std::make_shared<const StateChart>(line),
+                                        evaluator, settings_, 1),
+                      nullptr);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
