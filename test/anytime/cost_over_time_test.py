@@ -151,9 +151,26 @@ class Ablation(unittest.TestCase):
     def test_the_table_counts_marks(self):
         runs = [record("mfa", seed, [], 1.0 + 0.01 * seed) for seed in range(5)]
         runs += [record("mfa:tightening=0", seed, [], 2.0 + 0.01 * seed) for seed in range(5)]
-        header, lines = ablation.table([cost_over_time.Run(entry, "cpu") for entry in runs], {}, "mfa")
+        header, lines = ablation.table([cost_over_time.Run(entry, "cpu") for entry in runs], {}, "mfa",
+                                       ablation.final_cost)
         self.assertEqual(header, ["world", "mfa", "mfa:tightening=0"])
-        self.assertEqual(lines, [["w", "2.00", "102.00 -"], ["worlds", "", "1 worse, 0 better"]])
+        self.assertEqual(lines, [["w", "2.00", "102.00 -"], ["worlds", "", "1 worse, 0 better"],
+                                 ["a run is worse", "", "1.00 (p 1.00)"]])
+
+    def test_times_are_those_to_the_nearest_level_that_the_whole_planner_reaches(self):
+        best = {"w": {"cost": 1.0, "path": []}}
+        runs = [record("mfa", seed, [(0.1, 1.09), (0.2 + 0.01 * seed, 1.04)], 1.04) for seed in range(5)]
+        runs += [record("mfa:guide=none", seed, [(0.1, 1.09)], 1.09) for seed in range(5)]
+        _, lines = ablation.table([cost_over_time.Run(entry, "cpu") for entry in runs], best, "mfa",
+                                  ablation.time_to_level)
+        self.assertEqual(lines[0], ["w", "220", "never -"])
+
+    def test_half_of_the_runs_of_an_equal_variant_are_worse(self):
+        self.assertEqual(ablation.worse_share([1, 2, math.inf], [1, 2, math.inf]), 0.5)
+        self.assertEqual(ablation.worse_share([3, 4], [1, 4]), 0.625)
+        self.assertEqual(ablation.overall([0.5, 0.5]), "0.50 (p 1.00)")
+        # 2 of 2^10 sign patterns are as extreme
+        self.assertEqual(ablation.overall([0.6 + 0.01 * k for k in range(10)]), "0.65 (p < 0.01)")
 
 
 if __name__ == "__main__":
