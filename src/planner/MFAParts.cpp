@@ -59,13 +59,7 @@ namespace ompl_mfa
         shareForFirstPath();
         if (useTrees_)
             trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
-        if (useRoadmap_)
-            roadmap_ = std::make_unique<RoadmapGuide>(this, chart_, *evaluator_, runSeed_ + 2);
-        if (useTightening_)
-        {
-            tightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 3);
-            newTightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 4);
-        }
+        hasRoadmap_ = useRoadmap_;
         windowRandom_ = RandomSource(runSeed_ + 5);
         probes_ = 0;
         followedStraight_ = false;
@@ -78,8 +72,8 @@ namespace ompl_mfa
         sharing_.add(0.05, 0.05, 0.0);  // FIREFLIES
         sharing_.add(0.03, 0.03, 0.0);  // RECOMBINATION
         sharing_.add(0.01, 0.01, 0.0);  // TIGHTENING
-        sharing_.add(0.30, 0.30, 0.0);  // TREES
-        sharing_.add(0.61, 0.61, 0.0);  // ROADMAP
+        sharing_.add(0.41, 0.41, 0.0);  // TREES
+        sharing_.add(0.50, 0.50, 0.0);  // ROADMAP
         if (plannerGuide_)
             sharing_.add(0.30, 0.30, 0.0);  // PLANNER
     }
@@ -105,11 +99,13 @@ namespace ompl_mfa
     {
         activeSwarm_ = nullptr;
         swarms_.clear();
+        axes_.clear();
         window_.reset();
         alternatives_.clear();
         nextSwarm_ = windows_ = nextAlternative_ = 0;
         trees_.reset();
         roadmap_.reset();
+        hasRoadmap_ = false;
         plannerGuide_.reset();
         tightening_.reset();
         newTightening_.reset();
@@ -123,17 +119,17 @@ namespace ompl_mfa
         std::vector<bool> available(PARTS, false);
         const bool ends = !query_->starts().empty() && !query_->goals().empty();
         const bool guidePlanner = ends && plannerGuide_ && plannerGuide_->accepts(*query_);
-        const bool guided = guidePlanner || (ends && (trees_ || roadmap_));
+        const bool guided = guidePlanner || (ends && (trees_ || hasRoadmap_));
         const bool waiting = guided && !incumbent_->hasPath() && evaluator_->work() < FIRST_GUIDES;
-        available[FIREFLIES] = !waiting && (!swarms_.empty() || window_);
+        available[FIREFLIES] = !waiting && (!axes_.empty() || !swarms_.empty() || window_);
         available[RECOMBINATION] = !waiting && useRecombination_ && activeSwarm_ != nullptr &&
                                    activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
-        available[TIGHTENING] = tightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
+        available[TIGHTENING] = useTightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
         available[TREES] = trees_ && ends;
         // where checks are cheap, their number says little; a seeded run must not depend on a clock
         const bool early = trees_ && !incumbent_->hasPath() &&
                            (evaluator_->work() < FIRST_TREES || (seed_ == 0 && spent_[TREES] < FIRST_TREES_TIME));
-        available[ROADMAP] = roadmap_ && ends && !early;
+        available[ROADMAP] = hasRoadmap_ && ends && !early;
         available[PLANNER] = guidePlanner;
         return available;
     }
@@ -151,6 +147,8 @@ namespace ompl_mfa
             case TREES:
                 return follow(*trees_, work);
             case ROADMAP:
+                if (!roadmap_)
+                    roadmap_ = std::make_unique<RoadmapGuide>(this, chart_, *evaluator_, runSeed_ + 2);
                 return follow(*roadmap_, work);
             default:
                 return follow(*plannerGuide_, work);
@@ -164,7 +162,7 @@ namespace ompl_mfa
         for (std::size_t i = 0; i < starts.size(); ++i)
         {
             for (std::size_t j = i < triedStarts_ ? triedGoals_ : 0; j < goals.size(); ++j)
-                tryStraightMotion(starts[i], goals[j]);
+                tryStraightMotion(i, j);
         }
         triedStarts_ = starts.size();
         triedGoals_ = goals.size();
@@ -185,26 +183,34 @@ namespace ompl_mfa
 
     bool MFA::guided() const
     {
-        return trees_ || roadmap_ || plannerGuide_;
+        return trees_ || hasRoadmap_ || plannerGuide_;
     }
 
-    void MFA::tryStraightMotion(const ob::State *start, const ob::State *goal)
+    void MFA::tryStraightMotion(std::size_t start, std::size_t goal)
     {
         Waypoints path(si_->getStateSpace());
-        path.append(start);
-        path.append(goal);
+        path.append(query_->starts()[start]);
+        path.append(query_->goals()[goal]);
         const double cost = evaluator_->cost(path).value();
         if (evaluator_->checkPath(path))
             offer(path, cost);
         else if (!guided())
             evaluator_->evaluate(path, nullptr);  // for the partial path
         ++evaluations_;
-        if (swarms_.size() >= MAX_SWARMS)
-            return;
-        SliceFrame frame = SliceFrame::straight(chart_, start, goal, slices_ + 1);
-        if (frame.dimension() == 0)
-            return;
-        swarms_.push_back(makeSwarm(std::move(frame), runSeed_ + 1000 * (swarms_.size() + 1)));
+        if (swarms_.size() + axes_.size() < MAX_SWARMS)
+            axes_.emplace_back(start, goal);
+    }
+
+    /* Swarms on straight axes are made when the first of them is to fly: as a rule a guide has found a path before. */
+    void MFA::laySwarms()
+    {
+        for (const auto &[start, goal] : std::exchange(axes_, {}))
+        {
+            SliceFrame frame =
+                SliceFrame::straight(chart_, query_->starts()[start], query_->goals()[goal], slices_ + 1);
+            if (frame.dimension() > 0)
+                swarms_.push_back(makeSwarm(std::move(frame), runSeed_ + 1000 * (swarms_.size() + 1)));
+        }
     }
 
     /* The paper's fireflies are points on the slices, those of the whole engine smooth paths. */
@@ -254,6 +260,7 @@ namespace ompl_mfa
     void MFA::chooseSwarm()
     {
         activeSwarm_ = nullptr;
+        laySwarms();
         const bool windows = incumbent_->hasPath() && (useTightening_ || guided());
         if (windows && (swarms_.size() < 2 || nextSwarm_++ % 2 == 0))
         {
@@ -353,6 +360,7 @@ namespace ompl_mfa
 
     void MFA::tighten(std::uint64_t work)
     {
+        prepareTightening();
         if (tighteningStale_)
             tightening_->begin(incumbent_->path());
         tighteningStale_ = false;
@@ -360,6 +368,14 @@ namespace ompl_mfa
             return;
         offer(tightening_->path(), tightening_->cost().value());
         tighteningStale_ = false;
+    }
+
+    void MFA::prepareTightening()
+    {
+        if (tightening_)
+            return;
+        tightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 3);
+        newTightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 4);
     }
 
     void MFA::follow(Guide &guide, std::uint64_t work)
@@ -398,6 +414,7 @@ namespace ompl_mfa
         std::uint64_t check = path.size();
         for (std::size_t i = 1; i < path.size(); ++i)
             check += si_->getStateSpace()->validSegmentCount(path[i - 1], path[i]);
+        prepareTightening();
         newTightening_->begin(path);
         for (unsigned int k = 0; k < TIGHTENING_ROUNDS && !newTightening_->converged() && !evaluator_->stopped(); ++k)
         {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <ompl/base/Planner.h>
@@ -141,7 +142,8 @@ namespace ompl_mfa
         void tryStraightMotions();
         void followStraightMotion();
         bool guided() const;
-        void tryStraightMotion(const ompl::base::State *start, const ompl::base::State *goal);
+        void tryStraightMotion(std::size_t start, std::size_t goal);
+        void laySwarms();
         std::unique_ptr<Swarm> makeSwarm(SliceFrame frame, std::uint64_t seed);
         void takeFirefly(const Waypoints &path, double cost);
         void chooseSwarm();
@@ -150,6 +152,7 @@ namespace ompl_mfa
         void pursueWindow();
         void fly(std::uint64_t work);
         void recombine(std::uint64_t work);
+        void prepareTightening();
         void tighten(std::uint64_t work);
         void follow(Guide &guide, std::uint64_t work);
         void offerTightened(const Waypoints &path);
@@ -166,6 +169,7 @@ namespace ompl_mfa
         std::unique_ptr<Query> query_;
         std::unique_ptr<Incumbent> incumbent_;
 
+        std::vector<std::pair<std::size_t, std::size_t>> axes_;  ///< starts and goals whose swarms are yet to be made
         std::vector<std::unique_ptr<Swarm>> swarms_;  ///< over straight frames, one for each of the first pairs
         std::unique_ptr<WindowSwarm> window_;         ///< in a part of the best path or an alternative
         Swarm *activeSwarm_{nullptr};                 ///< the window's, or one of swarms_
@@ -177,7 +181,8 @@ namespace ompl_mfa
         std::size_t nextAlternative_{0};
 
         std::unique_ptr<TreeGuide> trees_;
-        std::unique_ptr<RoadmapGuide> roadmap_;
+        bool hasRoadmap_{false};                 ///< whether this search has one
+        std::unique_ptr<RoadmapGuide> roadmap_;  ///< made when it first has a turn
         std::unique_ptr<PlannerGuide> plannerGuide_;
         std::unique_ptr<PathTightening> tightening_;     ///< of the best path
         std::unique_ptr<PathTightening> newTightening_;  ///< of a path that a guide or a splice came upon
