@@ -72,8 +72,8 @@ namespace ompl_mfa
         sharing_.add(0.05, 0.05, 0.0);  // FIREFLIES
         sharing_.add(0.03, 0.03, 0.0);  // RECOMBINATION
         sharing_.add(0.01, 0.01, 0.0);  // TIGHTENING
-        sharing_.add(0.41, 0.41, 0.0);  // TREES
-        sharing_.add(0.50, 0.50, 0.0);  // ROADMAP
+        sharing_.add(0.30, 0.30, 0.0);  // TREES
+        sharing_.add(0.61, 0.61, 0.0);  // ROADMAP
         if (plannerGuide_)
             sharing_.add(0.30, 0.30, 0.0);  // PLANNER
     }
