@@ -16,7 +16,7 @@ namespace ompl_mfa
     {
         /* Pairs of start and goal beyond these get no swarm of their own. */
         constexpr std::size_t MAX_SWARMS = 8;
-        /* Paths of other homotopy classes that are kept for windows across them. */
+        /* Paths of other homotopy classes that are kept as axes of windows. */
         constexpr std::size_t MAX_ALTERNATIVES = 3;
         /* A path is an alternative if its tightened cost is at most this many times the best. */
         constexpr double ALTERNATIVE = 1.1;

@@ -13,6 +13,7 @@
 #include <ompl/geometric/PathGeometric.h>
 
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
 #include "ompl_mfa/path/PathEvaluator.h"
 #include "ompl_mfa/path/PathTightening.h"
 #include "ompl_mfa/path/SliceFrame.h"
@@ -37,9 +38,9 @@ namespace ompl_mfa
 
         Other parts take turns with the fireflies, by what each gains for its work: recombination splices the paths of a
         swarm into better ones, guides (restarting trees and a growing roadmap) find the homotopy classes that slices
-        across a straight axis cannot express, and tightening refines what the others find; a further swarm flies on
-        slices across the best paths. With guide = none, recombination = 0 and tightening = 0 the planner is the
-        algorithm of the paper. */
+        across a straight axis cannot express, and tightening refines what the others find. Once there is a path, swarms
+        fly in windows of it, where they look for other ways. With guide = none, recombination = 0 and tightening = 0
+       the planner is the algorithm of the paper. */
     class MFA : public ompl::base::Planner
     {
     public:
@@ -174,10 +175,9 @@ namespace ompl_mfa
         std::unique_ptr<WindowSwarm> window_;         ///< in a part of the best path or an alternative
         Swarm *activeSwarm_{nullptr};                 ///< the window's, or one of swarms_
         std::size_t nextSwarm_{0};
-        std::size_t windows_{0};        ///< opened so far
-        RandomSource windowRandom_{0};  ///< draws windows
-        std::vector<Waypoints>
-            alternatives_;  ///< tightened paths of other homotopy classes, not much worse than the best
+        std::size_t windows_{0};               ///< opened so far
+        RandomSource windowRandom_{0};         ///< draws windows
+        std::vector<Waypoints> alternatives_;  ///< tightened paths of other homotopy classes, a little worse
         std::size_t nextAlternative_{0};
 
         std::unique_ptr<TreeGuide> trees_;
