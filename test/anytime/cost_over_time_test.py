@@ -170,7 +170,7 @@ class Ablation(unittest.TestCase):
         self.assertEqual(ablation.worse_share([3, 4], [1, 4]), 0.625)
         self.assertEqual(ablation.overall([0.5, 0.5]), "0.50 (p 1.00)")
         # 2 of 2^10 sign patterns are as extreme
-        self.assertEqual(ablation.overall([0.6 + 0.01 * k for k in range(10)]), "0.65 (p < 0.01)")
+        self.assertEqual(ablation.overall([0.6 + 0.02 * k for k in range(10)]), "0.69 (p < 0.01)")
 
 
 if __name__ == "__main__":
