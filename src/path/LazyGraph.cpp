@@ -116,10 +116,12 @@ namespace ompl_mfa
        interrupted. */
     bool LazyGraph::backward(double bound)
     {
-        for (auto &vertex : vertices_)
+        for (std::size_t v = 0; v < vertices_.size(); ++v)
         {
-            vertex.reaches = false;
-            vertex.expansions = 0;
+            if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return false;
+            vertices_[v].reaches = false;
+            vertices_[v].expansions = 0;
         }
         for (const std::size_t goal : goals_)
         {
@@ -217,8 +219,12 @@ namespace ompl_mfa
     /* Takes up to \e limit of PathEvaluator::work(); from \e renewal on a new backward pass is worth its price. */
     LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit, std::uint64_t renewal, std::size_t &goal)
     {
-        for (auto &vertex : vertices_)
-            vertex.reached = false;
+        for (std::size_t v = 0; v < vertices_.size(); ++v)
+        {
+            if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return Outcome::Stopped;
+            vertices_[v].reached = false;
+        }
         queue_.clear();
         for (const std::size_t start : starts_)
         {
