@@ -18,6 +18,8 @@ namespace ompl_mfa
         constexpr std::uint64_t EDGES_PER_WORK = 2;
         /* Vertices handled between two looks at the stop condition. */
         constexpr std::size_t VERTICES_BETWEEN_STOPS = 64;
+        /* A motion is screened at states at least so many steps apart. */
+        constexpr unsigned int SCREENING_STRIDE = 3;
         /* Times that a cost-to-go may be handed on anew in a graph where cycles may earn something. */
         constexpr unsigned int MAX_EXPANSIONS = 20;
     }  // namespace
@@ -193,12 +195,34 @@ namespace ompl_mfa
     }
 
     /* Checks the state at the end of a motion first: an invalid one rules out all motions to it at once. */
-    bool LazyGraph::checkEdge(const Edge &edge)
+    bool LazyGraph::screenEdge(const Edge &edge)
     {
         Vertex &to = vertices_[edge.to];
         if (to.validity == Validity::Unknown)
             to.validity = evaluator_.checkState(states_[edge.to]) ? Validity::Valid : Validity::Invalid;
-        return to.validity == Validity::Valid && evaluator_.checkMotion(states_[edge.from], states_[edge.to]);
+        return to.validity == Validity::Valid &&
+               evaluator_.screenMotion(states_[edge.from], states_[edge.to], SCREENING_STRIDE);
+    }
+
+    /* Checks the motions of the path to this goal; most of those that a search screens are of no path. */
+    LazyGraph::Outcome LazyGraph::confirm(std::size_t goal, std::uint64_t limit)
+    {
+        for (std::size_t v = goal; vertices_[v].parent != NONE; v = edges_[vertices_[v].parent].from)
+        {
+            const Edge &edge = edges_[vertices_[v].parent];
+            Validity &validity = checks_[edge.check];
+            if (validity == Validity::Valid)
+                continue;
+            if (evaluator_.work() >= limit)
+                return Outcome::Stopped;
+            const bool valid = evaluator_.checkMotion(states_[edge.from], states_[edge.to]);
+            if (evaluator_.interrupted())
+                return Outcome::Stopped;
+            validity = valid ? Validity::Valid : Validity::Invalid;
+            if (!valid)
+                return Outcome::Stale;
+        }
+        return Outcome::Found;
     }
 
     void LazyGraph::expand(std::size_t v, double bound)
@@ -251,10 +275,10 @@ namespace ompl_mfa
             {
                 if (evaluator_.work() >= limit)
                     return Outcome::Stopped;
-                const bool valid = checkEdge(edge);
+                const bool valid = screenEdge(edge);
                 if (evaluator_.interrupted())
                     return Outcome::Stopped;
-                validity = valid ? Validity::Valid : Validity::Invalid;
+                validity = valid ? Validity::Screened : Validity::Invalid;
                 invalid += valid ? 0 : 1;
             }
             if (validity == Validity::Invalid)
@@ -270,7 +294,7 @@ namespace ompl_mfa
             if (vertex.goal)
             {
                 goal = edge.to;
-                return Outcome::Found;
+                return confirm(goal, limit);
             }
             expand(edge.to, bound);
         }

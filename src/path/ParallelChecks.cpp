@@ -16,8 +16,8 @@ namespace ompl_mfa
     {
         /* Checks that take less than this, in s, are done before another thread has woken up. */
         constexpr double WAKE_UP = 30e-6;
-        /* States of a motion that are checked after its last by the calling thread, before others help: they tell how
-           long the rest will take, and find most of the motions out that are invalid. */
+        /* States inside a motion that are checked by the calling thread before others help: they tell how long the rest
+           will take, and find most of the motions out that are invalid. */
         constexpr std::size_t ALONE = 1;
 
         class Stopwatch
@@ -85,10 +85,13 @@ namespace ompl_mfa
     /* The states that DiscreteMotionValidator checks, and in its order. */
     bool ParallelChecks::checkStates(const Motion &motion)
     {
+        return si_->isValid(motion.to) &&
+               checkInside(motion, si_->getStateSpace()->validSegmentCount(motion.from, motion.to));
+    }
+
+    bool ParallelChecks::checkInside(const Motion &motion, unsigned int count)
+    {
         const Stopwatch watch;
-        if (!si_->isValid(motion.to))
-            return false;
-        const unsigned int count = si_->getStateSpace()->validSegmentCount(motion.from, motion.to);
         bisect(count);
         const std::size_t alone = std::min(ALONE, order_.size());
         for (std::size_t i = 0; i < alone; ++i)
@@ -97,7 +100,7 @@ namespace ompl_mfa
                 return false;
         }
         const std::size_t left = order_.size() - alone;
-        if (left * watch.seconds() < (alone + 1) * WAKE_UP)
+        if (left * watch.seconds() < ALONE * WAKE_UP)
             return std::all_of(order_.begin() + static_cast<std::ptrdiff_t>(alone), order_.end(),
                                [&](unsigned int state) { return isValidAt(0, motion, state, count); });
         return pool_.run(left, [&](std::size_t thread, std::size_t i)

@@ -102,6 +102,36 @@ namespace ompl_mfa
         return valid;
     }
 
+    bool PathEvaluator::screenMotion(const ob::State *from, const ob::State *to, unsigned int stride)
+    {
+        if (stopped())
+            return false;
+        const unsigned int most = si_->getStateSpace()->validSegmentCount(from, to) / stride;
+        unsigned int count = 1;
+        while (2 * count <= most)
+            count *= 2;
+        const Motion motion{from, to};
+        const bool valid = parallel_ ? parallel_->checkInside(motion, count) : checkInside(motion, count);
+        work_ += valid ? count : 1 + count / INVALID_EARLY;
+        return valid;
+    }
+
+    /* The states that divide a motion into \e count pieces, a power of two: the middle first, then those of the
+       halves. */
+    bool PathEvaluator::checkInside(const Motion &motion, unsigned int count)
+    {
+        for (unsigned int pieces = 2; pieces <= count; pieces *= 2)
+        {
+            for (unsigned int j = 1; j < pieces; j += 2)
+            {
+                si_->getStateSpace()->interpolate(motion.from, motion.to, static_cast<double>(j) / pieces, scratch_);
+                if (!si_->isValid(scratch_))
+                    return false;
+            }
+        }
+        return true;
+    }
+
     std::uint64_t PathEvaluator::motionWork(const ob::SpaceInformation &si, const Motion &motion, bool valid)
     {
         const std::uint64_t states = si.getStateSpace()->validSegmentCount(motion.from, motion.to);

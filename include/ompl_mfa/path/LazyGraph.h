@@ -14,9 +14,9 @@ namespace ompl_mfa
        to need them, and never twice.
 
         A search for a path better than a bound makes one backward pass that ignores unchecked collisions, which gives
-        an exact cost-to-go of what is known, and then goes forward best first; a motion is checked when it is the most
-        promising one left. When many have turned out invalid, and this has taken as long as a backward pass, the
-        cost-to-go is computed anew. */
+        an exact cost-to-go of what is known, and then goes forward best first; a motion is screened, by a part of its
+        states, when it is the most promising one left, and checked when it is of the path that was found. When many
+        have turned out invalid, and this has taken as long as a backward pass, the cost-to-go is computed anew. */
     class LazyGraph
     {
     public:
@@ -66,6 +66,7 @@ namespace ompl_mfa
         enum class Validity : std::uint8_t
         {
             Unknown,
+            Screened,  ///< some of its states are valid
             Valid,
             Invalid
         };
@@ -117,7 +118,8 @@ namespace ompl_mfa
         bool backwardBestFirst(bool monotone, double bound);
         bool relax(const Edge &edge);
         Outcome forward(double bound, std::uint64_t limit, std::uint64_t renewal, std::size_t &goal);
-        bool checkEdge(const Edge &edge);
+        bool screenEdge(const Edge &edge);
+        Outcome confirm(std::size_t goal, std::uint64_t limit);
         void expand(std::size_t vertex, double bound);
         void extract(std::size_t goal, Waypoints &path) const;
 

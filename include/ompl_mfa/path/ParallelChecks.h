@@ -26,6 +26,9 @@ namespace ompl_mfa
         /** \brief Whether the motion is valid; its first state is taken to be. */
         bool checkMotion(const Motion &motion);
 
+        /** \brief Whether the states that divide the motion into \e count pieces are valid. */
+        bool checkInside(const Motion &motion, unsigned int count);
+
         /** \brief How many motions checkMotions() may be given to save time. */
         std::size_t motionsAtOnce() const
         {

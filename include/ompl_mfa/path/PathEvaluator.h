@@ -91,6 +91,11 @@ namespace ompl_mfa
         /** \brief Whether the motion is valid; \e from is taken to be a valid state. */
         bool checkMotion(const ompl::base::State *from, const ompl::base::State *to);
 
+        /** \brief Whether the states that halve the motion, and its halves, and so on, as long as they are at least
+            \e stride steps of the resolution apart, are valid: for a part of the work of checkMotion it finds out most
+            of the motions that are invalid. Both ends are taken to be valid. */
+        bool screenMotion(const ompl::base::State *from, const ompl::base::State *to, unsigned int stride);
+
         /** \brief Whether all \e motions are valid; the first state of each is taken to be, or to be the last of one
             before it. None is checked after an invalid one, unless another thread has time for it. */
         bool checkMotions(std::initializer_list<Motion> motions);
@@ -149,6 +154,7 @@ namespace ompl_mfa
         bool checkNext(std::size_t i);
         bool checkAll();
         bool checkBetween(const Motion &motion);
+        bool checkInside(const Motion &motion, unsigned int count);
         void reportPartialPath(const Waypoints &path, std::size_t motion);
         bool addInvalidLengths(const Waypoints &path, std::size_t first, unsigned int stride, const Brightness *rival,
                                Brightness &result);
