@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -163,6 +165,55 @@ namespace ompl_mfa
             evaluator_->setStopCondition([] { return true; });
             EXPECT_FALSE(graph_->addEdge(from, to, false));
             EXPECT_EQ(costs, 1);
+        }
+
+        /* Steps of 10: the states of the straight motion that are screened miss the wall at 60, those that are checked
+           do not; the motion from 45 to 95 steps over it. */
+        TEST(ScreenedGraph, ChecksMotionsOfThePathInFullAndTakesAnotherWhereOneFails)
+        {
+            test::CountingProblem problem(test::realVectorSpace(1, 0.0, 1000.0),
+                                          [](const ob::State *state) { return std::abs(value(state) - 60.0) > 1.0; });
+            PathEvaluator evaluator(problem.si,
+                                    std::make_shared<AnyCost>(problem.si, [](double, double) { return 1.0; }));
+            LazyGraph graph(evaluator);
+            ob::ScopedState<> state(problem.si->getStateSpace());
+            for (const double v : {0.0, 45.0, 95.0, 200.0, 400.0})
+            {
+                state[0] = v;
+                graph.addVertex(state.get(), false);
+            }
+            graph.setStart(0);
+            graph.setGoal(3);
+            for (const auto &[from, to] : {std::pair{0, 3}, {0, 1}, {1, 2}, {2, 3}, {1, 4}, {4, 3}})
+                ASSERT_TRUE(graph.addEdge(from, to, false));
+            ASSERT_TRUE(evaluator.screenMotion(graph.state(0), graph.state(3), 3));
+            Waypoints path(problem.si->getStateSpace());
+            ASSERT_TRUE(graph.search(ANY, PLENTY, path));
+            EXPECT_TRUE(evaluator.checkPath(path));
+            EXPECT_EQ(path.size(), 4U);
+        }
+
+        TEST(ScreenedGraph, ChecksNoMotionBesideThePath)
+        {
+            test::CountingProblem problem(test::realVectorSpace(1, 0.0, 1000.0),
+                                          [](const ob::State *) { return true; });
+            PathEvaluator evaluator(problem.si,
+                                    std::make_shared<AnyCost>(problem.si, [](double, double) { return 1.0; }));
+            LazyGraph graph(evaluator);
+            ob::ScopedState<> state(problem.si->getStateSpace());
+            for (int i = 0; i < 10; ++i)
+            {
+                state[0] = 100.0 * i;
+                graph.addVertex(state.get(), false);
+            }
+            for (std::size_t i = 1; i < graph.size(); ++i)
+                ASSERT_TRUE(graph.addEdge(0, i, false) && (i == 9 || graph.addEdge(i, 9, false)));
+            graph.setStart(0);
+            graph.setGoal(9);
+            Waypoints path(problem.si->getStateSpace());
+            ASSERT_TRUE(graph.search(ANY, PLENTY, path));
+            EXPECT_EQ(path.size(), 2U);
+            EXPECT_EQ(problem.motions, 1U);
         }
     }  // namespace
 }  // namespace ompl_mfa

@@ -79,6 +79,7 @@ namespace ompl_mfa
                 result.values.push_back(brightness.cost);
                 result.values.push_back(evaluator.checkPath(path) ? 1.0 : 0.0);
                 result.values.push_back(evaluator.checkMotion(path.front(), path.back()) ? 1.0 : 0.0);
+                result.values.push_back(evaluator.screenMotion(path.front(), path.back(), 3) ? 1.0 : 0.0);
                 result.values.push_back(static_cast<double>(evaluator.work()));
             }
             return result;
