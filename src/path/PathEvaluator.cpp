@@ -16,6 +16,12 @@ namespace ompl_mfa
         constexpr std::uint64_t DISTANCES_BETWEEN_STOPS = 64;
         /* States between two looks of a strict check at the stop condition. */
         constexpr unsigned int STATES_BETWEEN_STOPS = 64;
+
+        /* The work of asking for \e states one after the other until one is invalid. */
+        std::uint64_t bisectionWork(std::uint64_t states, bool valid)
+        {
+            return valid ? states : 1 + states / INVALID_EARLY;
+        }
     }  // namespace
 
     PathEvaluator::PathEvaluator(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective,
@@ -112,7 +118,7 @@ namespace ompl_mfa
             count *= 2;
         const Motion motion{from, to};
         const bool valid = parallel_ ? parallel_->checkInside(motion, count) : checkInside(motion, count);
-        work_ += valid ? count : 1 + count / INVALID_EARLY;
+        work_ += bisectionWork(count, valid);
         return valid;
     }
 
@@ -134,8 +140,7 @@ namespace ompl_mfa
 
     std::uint64_t PathEvaluator::motionWork(const ob::SpaceInformation &si, const Motion &motion, bool valid)
     {
-        const std::uint64_t states = si.getStateSpace()->validSegmentCount(motion.from, motion.to);
-        return valid ? states : 1 + states / INVALID_EARLY;
+        return bisectionWork(si.getStateSpace()->validSegmentCount(motion.from, motion.to), valid);
     }
 
     /* Whether motions_[i] is valid, asked of all i in turn: what one thread would not have come to check is neither

@@ -70,8 +70,9 @@ namespace ompl_mfa
                 return graph_->addVertex(state.get(), false);
             }
 
-            test::CountingProblem problem_{test::realVectorSpace(1, 0.0, 1000.0),
-                                           [](const ob::State *) { return true; }};
+            double wall_{-10.0};  ///< no state within 1 of it is valid
+            test::CountingProblem problem_{test::realVectorSpace(1, 0.0, 1000.0), [this](const ob::State *state)
+                                           { return std::abs(value(state) - wall_) > 1.0; }};
             std::unique_ptr<PathEvaluator> evaluator_;
             std::unique_ptr<LazyGraph> graph_;
             Waypoints path_{problem_.si->getStateSpace()};
@@ -169,51 +170,38 @@ namespace ompl_mfa
 
         /* Steps of 10: the states of the straight motion that are screened miss the wall at 60, those that are checked
            do not; the motion from 45 to 95 steps over it. */
-        TEST(ScreenedGraph, ChecksMotionsOfThePathInFullAndTakesAnotherWhereOneFails)
+        TEST_F(LazyGraphTest, ChecksMotionsOfThePathInFullAndTakesAnotherWhereOneFails)
         {
-            test::CountingProblem problem(test::realVectorSpace(1, 0.0, 1000.0),
-                                          [](const ob::State *state) { return std::abs(value(state) - 60.0) > 1.0; });
-            PathEvaluator evaluator(problem.si,
-                                    std::make_shared<AnyCost>(problem.si, [](double, double) { return 1.0; }));
-            LazyGraph graph(evaluator);
-            ob::ScopedState<> state(problem.si->getStateSpace());
-            for (const double v : {0.0, 45.0, 95.0, 200.0, 400.0})
-            {
-                state[0] = v;
-                graph.addVertex(state.get(), false);
-            }
-            graph.setStart(0);
-            graph.setGoal(3);
-            for (const auto &[from, to] : {std::pair{0, 3}, {0, 1}, {1, 2}, {2, 3}, {1, 4}, {4, 3}})
-                ASSERT_TRUE(graph.addEdge(from, to, false));
-            ASSERT_TRUE(evaluator.screenMotion(graph.state(0), graph.state(3), 3));
-            Waypoints path(problem.si->getStateSpace());
-            ASSERT_TRUE(graph.search(ANY, PLENTY, path));
-            EXPECT_TRUE(evaluator.checkPath(path));
-            EXPECT_EQ(path.size(), 4U);
+            wall_ = 60.0;
+            make([](double, double) { return 1.0; });
+            for (const double v : {0.0, 45.0, 95.0, 200.0})
+                add(v);
+            graph_->setStart(0);
+            graph_->setGoal(3);
+            for (const auto &[from, to] : {std::pair{0, 3}, {0, 1}, {1, 2}, {2, 3}})
+                ASSERT_TRUE(graph_->addEdge(from, to, false));
+            ASSERT_TRUE(evaluator_->screenMotion(graph_->state(0), graph_->state(3), 3));
+            ASSERT_TRUE(graph_->search(ANY, PLENTY, path_));
+            EXPECT_TRUE(evaluator_->checkPath(path_));
+            EXPECT_EQ(path_.size(), 4U);
         }
 
-        TEST(ScreenedGraph, ChecksNoMotionBesideThePath)
+        /* The detour by 120 is cheaper: its first motion passes the screening, its second has the wall in its middle.
+         */
+        TEST_F(LazyGraphTest, ChecksNoMotionBesideThePath)
         {
-            test::CountingProblem problem(test::realVectorSpace(1, 0.0, 1000.0),
-                                          [](const ob::State *) { return true; });
-            PathEvaluator evaluator(problem.si,
-                                    std::make_shared<AnyCost>(problem.si, [](double, double) { return 1.0; }));
-            LazyGraph graph(evaluator);
-            ob::ScopedState<> state(problem.si->getStateSpace());
-            for (int i = 0; i < 10; ++i)
-            {
-                state[0] = 100.0 * i;
-                graph.addVertex(state.get(), false);
-            }
-            for (std::size_t i = 1; i < graph.size(); ++i)
-                ASSERT_TRUE(graph.addEdge(0, i, false) && (i == 9 || graph.addEdge(i, 9, false)));
-            graph.setStart(0);
-            graph.setGoal(9);
-            Waypoints path(problem.si->getStateSpace());
-            ASSERT_TRUE(graph.search(ANY, PLENTY, path));
-            EXPECT_EQ(path.size(), 2U);
-            EXPECT_EQ(problem.motions, 1U);
+            wall_ = 510.0;
+            make([](double from, double to) { return from == 520.0 && to == 900.0 ? 5.0 : 1.0; });
+            for (const double v : {520.0, 120.0, 900.0})
+                add(v);
+            graph_->setStart(0);
+            graph_->setGoal(2);
+            for (const auto &[from, to] : {std::pair{0, 1}, {1, 2}, {0, 2}})
+                ASSERT_TRUE(graph_->addEdge(from, to, false));
+            ASSERT_TRUE(evaluator_->screenMotion(graph_->state(0), graph_->state(1), 3));
+            ASSERT_TRUE(graph_->search(ANY, PLENTY, path_));
+            EXPECT_EQ(path_.size(), 2U);
+            EXPECT_EQ(problem_.motions, 1U);
         }
     }  // namespace
 }  // namespace ompl_mfa

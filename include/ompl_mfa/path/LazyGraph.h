@@ -11,12 +11,13 @@
 namespace ompl_mfa
 {
     /** \brief A directed graph of states, whose states and motions are checked for collision only when a search comes
-       to need them, and never twice.
+       to need them, and no motion twice.
 
         A search for a path better than a bound makes one backward pass that ignores unchecked collisions, which gives
         an exact cost-to-go of what is known, and then goes forward best first; a motion is screened, by a part of its
-        states, when it is the most promising one left, and checked when it is of the path that was found. When many
-        have turned out invalid, and this has taken as long as a backward pass, the cost-to-go is computed anew. */
+        states, when it is the most promising one left, and checked when it is of the path that was found. When one of
+        the path has turned out invalid, or many others and this has taken as long as a backward pass, the cost-to-go is
+        computed anew. */
     class LazyGraph
     {
     public:
