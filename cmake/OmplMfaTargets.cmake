@@ -31,7 +31,8 @@ endfunction()
 
 # ompl_mfa_add_test(<name> SOURCES <files> LIBRARIES <targets> [LABELS <labels>] [TIMEOUT <seconds>]): one GoogleTest
 # program, registered with CTest as a whole; each program belongs to one room and is named <room>_<what>. The target
-# ompl_mfa_tests builds them all.
+# ompl_mfa_tests builds them all. Properties (RapidCheck) are tried on the same examples in every run; with
+# RC_PARAMS="seed=N max_success=1000" in the environment a program that is run by hand tries others.
 function(ompl_mfa_add_test name)
     cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
@@ -51,5 +52,6 @@ function(ompl_mfa_add_test name)
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
+                                            ENVIRONMENT "RC_PARAMS=seed=1")
 endfunction()

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ompl_mfa/optimizer/RandomSource.h"
+
 using Json = nlohmann::json;
 
 namespace ompl_mfa
@@ -88,10 +90,7 @@ namespace ompl_mfa
 
     std::uint32_t runSeed(std::uint64_t base, unsigned int run)
     {
-        std::uint64_t z = base + (static_cast<std::uint64_t>(run) + 1) * 0x9e3779b97f4a7c15ULL;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-        z ^= z >> 31U;
+        const std::uint64_t z = mixBits(base + (static_cast<std::uint64_t>(run) + 1) * 0x9e3779b97f4a7c15ULL);
         return static_cast<std::uint32_t>(z % 0x7fffffffULL) + (z % 0x7fffffffULL == 0 ? 1U : 0U);
     }
 }  // namespace ompl_mfa

@@ -1,10 +1,40 @@
 #include "ompl_mfa/optimizer/RandomSource.h"
 
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+using ompl_mfa::deriveSeed;
+using ompl_mfa::mixBits;
 using ompl_mfa::RandomSource;
+
+TEST(RandomSource, mixesBitsAsSplitMix64Does)
+{
+    // the first two outputs of SplitMix64 for the seed 1234567
+    EXPECT_EQ(mixBits(1234567 + 0x9e3779b97f4a7c15ULL), 6457827717110365317ULL);
+    EXPECT_EQ(mixBits(1234567 + 2 * 0x9e3779b97f4a7c15ULL), 3203168211198807973ULL);
+}
+
+TEST(RandomSource, derivesADifferentSeedForEveryStreamOfNeighbouringRuns)
+{
+    std::set<std::uint64_t> seeds;
+    std::set<std::uint32_t> lowHalves;
+    for (std::uint64_t run = 0; run < 20; ++run)
+    {
+        for (std::uint64_t stream = 0; stream < 20; ++stream)
+        {
+            for (std::uint64_t index = 0; index < 20; ++index)
+            {
+                seeds.insert(deriveSeed(run, stream, index));
+                lowHalves.insert(static_cast<std::uint32_t>(deriveSeed(run, stream, index)));
+            }
+        }
+    }
+    EXPECT_EQ(seeds.size(), 8000U);
+    // of 8000 random numbers of 32 bits 0.007 pairs are equal in the mean
+    EXPECT_GE(lowHalves.size(), 7999U);
+}
 
 TEST(RandomSource, isTheSameOnEveryPlatform)
 {

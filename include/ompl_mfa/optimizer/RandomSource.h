@@ -6,6 +6,24 @@
 
 namespace ompl_mfa
 {
+    /** \brief Mixes the bits of \e x: a bijection of the 64-bit numbers in which each bit of the result depends on
+       every bit of \e x. G. L. Steele, D. Lea and C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA
+        2014 (SplitMix64). */
+    inline std::uint64_t mixBits(std::uint64_t x)
+    {
+        x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+        x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
+        return x ^ (x >> 31U);
+    }
+
+    /** \brief The seed of stream \e stream of the run with seed \e seed, and of the \e index-th of several such
+        streams. Streams of one run, and those of runs with neighbouring seeds, have nothing in common. */
+    inline std::uint64_t deriveSeed(std::uint64_t seed, std::uint64_t stream, std::uint64_t index = 0)
+    {
+        constexpr std::uint64_t GOLDEN = 0x9e3779b97f4a7c15ULL;  // 2^64 divided by the golden ratio, as in SplitMix64
+        return mixBits(mixBits(mixBits(seed + GOLDEN) + (stream + 1) * GOLDEN) + (index + 1) * GOLDEN);
+    }
+
     /** \brief Seeded uniform random numbers that are the same with every standard library: the engine's output is
         fixed by the C++ standard, that of std::uniform_real_distribution is not. */
     class RandomSource
