@@ -90,13 +90,15 @@ namespace ompl_mfa
                         getName().c_str());
             objective_ = std::make_shared<ob::PathLengthOptimizationObjective>(si_);
         }
-        query_->reset(*pdef_);
+        search_ = settings_;
         incumbent_->reset(objective_);
-        evaluator_ = std::make_unique<PathEvaluator>(si_, objective_, threads_);
+        evaluator_ = std::make_unique<PathEvaluator>(si_, objective_, search_.threads);
         evaluator_->setPartialPathEvent([this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
                                         { offerPartial(path, motion, lastValid); });
-        runSeed_ = seed_ != 0 ? seed_ : static_cast<std::uint64_t>(rng_.uniformInt(1, 1 << 30));
+        runSeed_ = search_.seed != 0 ? search_.seed : static_cast<std::uint64_t>(rng_.uniformInt(1, 1 << 30));
         prepareParts();
+        // last: where the allocator of the guide planner throws, no query has begun
+        query_->reset(*pdef_);
     }
 
     ob::PlannerStatus::StatusType MFA::begin(const ob::PlannerTerminationCondition &ptc)
@@ -199,7 +201,8 @@ namespace ompl_mfa
         if (hadPath)
             gain = std::abs(cost - incumbent_->cost()) / std::max(std::abs(cost), 1e-12);
         // a seeded run must not depend on a clock; without one, the work that is not state checks is only estimated
-        const double spent = seed_ != 0 ? static_cast<double>(evaluator_->work() - before + 1) : threadTime() - began;
+        const double spent =
+            search_.seed != 0 ? static_cast<double>(evaluator_->work() - before + 1) : threadTime() - began;
         spent_[part] += spent;
         if (!hadPath && incumbent_->hasPath())
             shareForImprovement();

@@ -1,8 +1,4 @@
-#include <stdexcept>
-
-#include <boost/lexical_cast.hpp>
-
-#include <ompl/util/Exception.h>
+#include <type_traits>
 
 #include "ompl_mfa/planner/MFA.h"
 #include "ompl_mfa/planner/RangedParam.h"
@@ -11,111 +7,86 @@ namespace ompl_mfa
 {
     namespace
     {
-        constexpr unsigned int MAX_SLICES = 1000;
-        constexpr unsigned int MAX_THREADS = 64;
         /* Fireflies of the paper, and of a swarm that other parts assist. */
         constexpr unsigned int PAPER_POPULATION = 100;
         constexpr unsigned int POPULATION = 20;
-
-        FireflyOptimizer::Settings validated(const FireflyOptimizer::Settings &settings)
-        {
-            try
-            {
-                settings.validate();
-            }
-            catch (const std::invalid_argument &error)
-            {
-                throw ompl::Exception("MFA", error.what());
-            }
-            return settings;
-        }
     }  // namespace
 
     void MFA::declareParameters()
     {
-        const auto declare = [this](const char *name, auto setter, auto getter, const char *range)
+        const auto declare = [this](const auto &parameter)
         {
-            using T = decltype((this->*getter)());
+            const auto member = parameter.member;
+            using T = std::decay_t<decltype(settings_.*member)>;
             params_.add(std::make_shared<RangedParam<T>>(
-                name, [this, setter](const T &value) { (this->*setter)(value); },
-                [this, getter] { return (this->*getter)(); }, range));
+                parameter.name, parameter.accepted, [this, member](const T &value) { settings_.*member = value; },
+                [this, member] { return settings_.*member; }));
         };
-        declare("variant", &MFA::setVariant, &MFA::getVariant, "mfa,fa");
-        declare("population_size", &MFA::setPopulationSize, &MFA::getPopulationSize, "0:1:10000");
-        declare("slices", &MFA::setSlices, &MFA::getSlices, "1:1:1000");
-        declare("generations", &MFA::setGenerations, &MFA::getGenerations, "1:1:100000");
-        declare("gamma", &MFA::setGamma, &MFA::getGamma, "0.0:0.01:100.0");
-        declare("alpha", &MFA::setAlpha, &MFA::getAlpha, "0.0:0.01:1.0");
-        declare("eta", &MFA::setEta, &MFA::getEta, "0.0:0.01:2.0");
-        declare("guide", &MFA::setGuide, &MFA::getGuide, "none,trees,roadmap,both");
-        declare("recombination", &MFA::setRecombination, &MFA::getRecombination, "0,1");
-        declare("tightening", &MFA::setTightening, &MFA::getTightening, "0,1");
-        declare("seed", &MFA::setSeed, &MFA::getSeed, "0:1:4294967295");
-        declare("threads", &MFA::setThreads, &MFA::getThreads, "1:1:64");
+        for (const auto &parameter : mfaParameters())
+            std::visit(declare, parameter);
     }
 
     template <typename T>
-    void MFA::setSwarm(T FireflyOptimizer::Settings::*setting, T value)
+    void MFA::set(T MFASettings::*member, const T &value)
     {
-        auto settings = settings_;
-        settings.*setting = value;
-        settings_ = validated(settings);
-    }
-
-    void MFA::setVariant(const std::string &variant)
-    {
-        if (variant != "mfa" && variant != "fa")
-            throw ompl::Exception("MFA", "variant = '" + variant + "': accepted are mfa and fa");
-        setSwarm(&FireflyOptimizer::Settings::variant,
-                 variant == "mfa" ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA);
-    }
-
-    std::string MFA::getVariant() const
-    {
-        return settings_.variant == FireflyOptimizer::Variant::MFA ? "mfa" : "fa";
-    }
-
-    void MFA::setPopulationSize(unsigned int size)
-    {
-        auto settings = settings_;
-        if (size != 0)
-            settings.populationSize = size;
-        validated(settings);
-        populationSize_ = size;
-    }
-
-    unsigned int MFA::getPopulationSize() const
-    {
-        return populationSize_;
+        for (const auto &any : mfaParameters())
+        {
+            const auto *parameter = std::get_if<MFAParameter<T>>(&any);
+            if (parameter != nullptr && parameter->member == member)
+                require(parameter->accepted, getName() + ": " + parameter->name, value);
+        }
+        settings_.*member = value;
     }
 
     FireflyOptimizer::Settings MFA::swarmSettings() const
     {
-        const bool paper = !useTrees_ && !useRoadmap_ && !useRecombination_ && !useTightening_;
-        auto settings = settings_;
-        if (populationSize_ != 0)
-            settings.populationSize = populationSize_;
-        else
-            settings.populationSize = paper ? PAPER_POPULATION : POPULATION;
+        const bool paper =
+            !search_.usesTrees() && !search_.usesRoadmap() && !search_.recombination && !search_.tightening;
+        FireflyOptimizer::Settings settings;
+        settings.variant = search_.variant == "mfa" ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA;
+        settings.populationSize = paper ? PAPER_POPULATION : POPULATION;
+        if (search_.populationSize != 0)
+            settings.populationSize = search_.populationSize;
+        settings.generations = search_.generations;
+        settings.gamma = search_.gamma;
+        settings.alpha = search_.alpha;
+        settings.eta = search_.eta;
         return settings;
+    }
+
+    void MFA::setVariant(const std::string &variant)
+    {
+        set(&MFASettings::variant, variant);
+    }
+
+    std::string MFA::getVariant() const
+    {
+        return settings_.variant;
+    }
+
+    void MFA::setPopulationSize(unsigned int size)
+    {
+        set(&MFASettings::populationSize, size);
+    }
+
+    unsigned int MFA::getPopulationSize() const
+    {
+        return settings_.populationSize;
     }
 
     void MFA::setSlices(unsigned int slices)
     {
-        if (slices < 1 || slices > MAX_SLICES)
-            throw ompl::Exception(
-                "MFA", "slices = " + std::to_string(slices) + ": accepted is 1 to " + std::to_string(MAX_SLICES));
-        slices_ = slices;
+        set(&MFASettings::slices, slices);
     }
 
     unsigned int MFA::getSlices() const
     {
-        return slices_;
+        return settings_.slices;
     }
 
     void MFA::setGenerations(unsigned int generations)
     {
-        setSwarm(&FireflyOptimizer::Settings::generations, generations);
+        set(&MFASettings::generations, generations);
     }
 
     unsigned int MFA::getGenerations() const
@@ -125,7 +96,7 @@ namespace ompl_mfa
 
     void MFA::setGamma(double gamma)
     {
-        setSwarm(&FireflyOptimizer::Settings::gamma, gamma);
+        set(&MFASettings::gamma, gamma);
     }
 
     double MFA::getGamma() const
@@ -135,7 +106,7 @@ namespace ompl_mfa
 
     void MFA::setAlpha(double alpha)
     {
-        setSwarm(&FireflyOptimizer::Settings::alpha, alpha);
+        set(&MFASettings::alpha, alpha);
     }
 
     double MFA::getAlpha() const
@@ -145,7 +116,7 @@ namespace ompl_mfa
 
     void MFA::setEta(double eta)
     {
-        setSwarm(&FireflyOptimizer::Settings::eta, eta);
+        set(&MFASettings::eta, eta);
     }
 
     double MFA::getEta() const
@@ -155,60 +126,52 @@ namespace ompl_mfa
 
     void MFA::setGuide(const std::string &guide)
     {
-        if (guide != "none" && guide != "trees" && guide != "roadmap" && guide != "both")
-            throw ompl::Exception("MFA", "guide = '" + guide + "': accepted are none, trees, roadmap and both");
-        useTrees_ = guide == "trees" || guide == "both";
-        useRoadmap_ = guide == "roadmap" || guide == "both";
+        set(&MFASettings::guide, guide);
     }
 
     std::string MFA::getGuide() const
     {
-        if (useTrees_)
-            return useRoadmap_ ? "both" : "trees";
-        return useRoadmap_ ? "roadmap" : "none";
+        return settings_.guide;
     }
 
     void MFA::setRecombination(bool recombination)
     {
-        useRecombination_ = recombination;
+        set(&MFASettings::recombination, recombination);
     }
 
     bool MFA::getRecombination() const
     {
-        return useRecombination_;
+        return settings_.recombination;
     }
 
     void MFA::setTightening(bool tightening)
     {
-        useTightening_ = tightening;
+        set(&MFASettings::tightening, tightening);
     }
 
     bool MFA::getTightening() const
     {
-        return useTightening_;
+        return settings_.tightening;
     }
 
     void MFA::setSeed(std::uint32_t seed)
     {
-        seed_ = seed;
+        set(&MFASettings::seed, seed);
     }
 
     std::uint32_t MFA::getSeed() const
     {
-        return seed_;
+        return settings_.seed;
     }
 
     void MFA::setThreads(unsigned int threads)
     {
-        if (threads < 1 || threads > MAX_THREADS)
-            throw ompl::Exception(
-                "MFA", "threads = " + std::to_string(threads) + ": accepted is 1 to " + std::to_string(MAX_THREADS));
-        threads_ = threads;
+        set(&MFASettings::threads, threads);
     }
 
     unsigned int MFA::getThreads() const
     {
-        return threads_;
+        return settings_.threads;
     }
 
     void MFA::setGuidePlanner(const ompl::base::PlannerAllocator &allocator)

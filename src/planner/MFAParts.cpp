@@ -55,11 +55,11 @@ namespace ompl_mfa
     {
         spent_.assign(PARTS, 0.0);
         if (guidePlanner_)
-            plannerGuide_ = std::make_unique<PlannerGuide>(guidePlanner_, query_->goal(), *evaluator_);
+            plannerGuide_ = std::make_unique<PlannerGuide>(guidePlanner_, pdef_->getGoal(), *evaluator_);
         shareForFirstPath();
-        if (useTrees_)
+        if (search_.usesTrees())
             trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
-        hasRoadmap_ = useRoadmap_;
+        hasRoadmap_ = search_.usesRoadmap();
         windowRandom_ = RandomSource(runSeed_ + 5);
         probes_ = 0;
         followedStraight_ = false;
@@ -122,13 +122,14 @@ namespace ompl_mfa
         const bool guided = guidePlanner || (ends && (trees_ || hasRoadmap_));
         const bool waiting = guided && !incumbent_->hasPath() && evaluator_->work() < FIRST_GUIDES;
         available[FIREFLIES] = !waiting && (!axes_.empty() || !swarms_.empty() || window_);
-        available[RECOMBINATION] = !waiting && useRecombination_ && activeSwarm_ != nullptr &&
+        available[RECOMBINATION] = !waiting && search_.recombination && activeSwarm_ != nullptr &&
                                    activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
-        available[TIGHTENING] = useTightening_ && incumbent_->hasPath() && incumbent_->path().size() > 2;
+        available[TIGHTENING] = search_.tightening && incumbent_->hasPath() && incumbent_->path().size() > 2;
         available[TREES] = trees_ && ends;
         // where checks are cheap, their number says little; a seeded run must not depend on a clock
-        const bool early = trees_ && !incumbent_->hasPath() &&
-                           (evaluator_->work() < FIRST_TREES || (seed_ == 0 && spent_[TREES] < FIRST_TREES_TIME));
+        const bool early =
+            trees_ && !incumbent_->hasPath() &&
+            (evaluator_->work() < FIRST_TREES || (search_.seed == 0 && spent_[TREES] < FIRST_TREES_TIME));
         available[ROADMAP] = hasRoadmap_ && ends && !early;
         available[PLANNER] = guidePlanner;
         return available;
@@ -207,7 +208,7 @@ namespace ompl_mfa
         for (const auto &[start, goal] : std::exchange(axes_, {}))
         {
             SliceFrame frame =
-                SliceFrame::straight(chart_, query_->starts()[start], query_->goals()[goal], slices_ + 1);
+                SliceFrame::straight(chart_, query_->starts()[start], query_->goals()[goal], search_.slices + 1);
             if (frame.dimension() > 0)
                 swarms_.push_back(makeSwarm(std::move(frame), runSeed_ + 1000 * (swarms_.size() + 1)));
         }
@@ -216,7 +217,7 @@ namespace ompl_mfa
     /* The paper's fireflies are points on the slices, those of the whole engine smooth paths. */
     std::unique_ptr<Swarm> MFA::makeSwarm(SliceFrame frame, std::uint64_t seed)
     {
-        const bool paper = !useTightening_ && !useRecombination_ && !guided();
+        const bool paper = !search_.tightening && !search_.recombination && !guided();
         return std::make_unique<Swarm>(
             std::move(frame), paper ? Swarm::Coordinates::Offsets : Swarm::Coordinates::Modes, *evaluator_,
             swarmSettings(), seed,
@@ -228,7 +229,7 @@ namespace ompl_mfa
     {
         offer(path, cost);
         const bool fresh = objective_->isCostBetterThan(ob::Cost(incumbent_->cost()), ob::Cost(cost));
-        if (!useTightening_ || !fresh ||
+        if (!search_.tightening || !fresh ||
             (!firefly_.empty() && !objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(fireflyCost_))))
             return;
         firefly_ = path;
@@ -252,7 +253,7 @@ namespace ompl_mfa
         ++windows_;
         window_ =
             WindowSwarm::open(std::move(window), curved ? WindowSwarm::Frame::Curved : WindowSwarm::Frame::Straight,
-                              (slices_ + 1) / 2, chart_, *evaluator_, settings, runSeed_ + 7 * windows_ + 17);
+                              (search_.slices + 1) / 2, chart_, *evaluator_, settings, runSeed_ + 7 * windows_ + 17);
     }
 
     /* The swarms on the straight axes take turns by generations. Once there is a path, those in windows of it have
@@ -261,7 +262,7 @@ namespace ompl_mfa
     {
         activeSwarm_ = nullptr;
         laySwarms();
-        const bool windows = incumbent_->hasPath() && (useTightening_ || guided());
+        const bool windows = incumbent_->hasPath() && (search_.tightening || guided());
         if (windows && (swarms_.size() < 2 || nextSwarm_++ % 2 == 0))
         {
             if (!window_ || window_->exhausted())
@@ -270,7 +271,7 @@ namespace ompl_mfa
                 activeSwarm_ = &window_->swarm();
         }
         if (activeSwarm_ == nullptr && !swarms_.empty())
-            activeSwarm_ = swarms_[iterations_ / (2UL * settings_.generations) % swarms_.size()].get();
+            activeSwarm_ = swarms_[iterations_ / (2UL * search_.generations) % swarms_.size()].get();
     }
 
     /* A generation, or a part of one if the work is done; true if it was completed. */
@@ -306,7 +307,7 @@ namespace ompl_mfa
             return;
         }
         // a path that tightening cannot make the best is of no use; the paper's fireflies know no such bound
-        if (useTightening_ || useRecombination_)
+        if (search_.tightening || search_.recombination)
             activeSwarm_->setBound(evaluator_->withSlack(incumbent_->cost(), FIREFLY_SLACK));
         if (flyStep(work))
             chooseSwarm();
@@ -325,7 +326,7 @@ namespace ompl_mfa
         activeSwarm_ = nullptr;
         const std::unique_ptr<WindowSwarm> window = std::move(window_);
         ob::Cost cost = evaluator_->cost(window->found());
-        if (!useTightening_)
+        if (!search_.tightening)
         {
             if (objective_->isCostBetterThan(cost, window->cost()))
                 offerTightened(window->withWay(window->found()));
@@ -353,7 +354,7 @@ namespace ompl_mfa
         Waypoints spliced(si_->getStateSpace());
         if (!incumbent_->hasPath() || !activeSwarm_->frame().crossings(incumbent_->path(), onSlices))
             onSlices.clear();
-        const double bound = evaluator_->withSlack(incumbent_->cost(), useTightening_ ? SPLICE_SLACK : 1.0);
+        const double bound = evaluator_->withSlack(incumbent_->cost(), search_.tightening ? SPLICE_SLACK : 1.0);
         if (activeSwarm_->recombine(onSlices, bound, work, spliced))
             offerTightened(spliced);
     }
@@ -396,7 +397,7 @@ namespace ompl_mfa
         }
         ++evaluations_;
         offer(path, cost.value());
-        if (!useTightening_)
+        if (!search_.tightening)
             return;
         cost = tightenAgainst(path, cost, ob::Cost(incumbent_->cost()));
         if (!incumbent_->improvedBy(cost.value()))

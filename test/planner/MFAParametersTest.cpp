@@ -1,8 +1,12 @@
+#include <cmath>
 #include <fstream>
+#include <limits>
+#include <locale>
 #include <map>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -159,6 +163,162 @@ namespace ompl_mfa
             EXPECT_THROW(planner_.setAlpha(2.0), ompl::Exception);
         }
 
+        /* One of the trial vectors needs four fireflies: what a swarm of two is good for must not depend on the order
+           in which variant and size are set. */
+        TEST_F(Parameters, NoSequenceOfAcceptedValuesIsRefusedLater)
+        {
+            const auto planner = problem_->planner(test::Engine::Paper);
+            const test::ConsoleRecord console;
+            for (const std::string size : {"0", "1", "2", "3", "4"})
+            {
+                for (const std::string first : {"fa", "mfa"})
+                {
+                    const bool accepted = size == "0" || size == "4";
+                    ASSERT_TRUE(planner->params().setParam("variant", first));
+                    EXPECT_EQ(planner->params().setParam("population_size", size), accepted) << first << ' ' << size;
+                    EXPECT_TRUE(planner->params().setParam("variant", first == "fa" ? "mfa" : "fa")) << size;
+                    planner->clear();
+                    EXPECT_NO_THROW(planner->solve(test::afterCalls(300))) << first << ' ' << size;
+                }
+            }
+        }
+
+        /* Tries a setter and returns whether the value was accepted; then params() has to accept what it reads. */
+        template <typename Setter>
+        bool accepts(MFA &planner, const std::string &name, const Setter &setter)
+        {
+            bool accepted = true;
+            try
+            {
+                setter();
+            }
+            catch (const ompl::Exception &)
+            {
+                accepted = false;
+            }
+            std::string text;
+            EXPECT_TRUE(planner.params().getParam(name, text));
+            EXPECT_TRUE(planner.params().setParam(name, text)) << name << " = " << text;
+            return accepted;
+        }
+
+        TEST_F(Parameters, SettersRefuseWhatParamsRefuse)
+        {
+            const double nan = std::numeric_limits<double>::quiet_NaN();
+            for (const double gamma : {-0.1, 0.0, 100.0, 100.1, 1000.0, nan, HUGE_VAL})
+                EXPECT_EQ(accepts(planner_, "gamma", [&] { planner_.setGamma(gamma); }), gamma >= 0 && gamma <= 100);
+            for (const double alpha : {-0.1, 0.0, 1.0, 1.1, nan})
+                EXPECT_EQ(accepts(planner_, "alpha", [&] { planner_.setAlpha(alpha); }), alpha >= 0 && alpha <= 1);
+            for (const double eta : {-0.1, 0.0, 2.0, 2.1, nan})
+                EXPECT_EQ(accepts(planner_, "eta", [&] { planner_.setEta(eta); }), eta >= 0 && eta <= 2);
+            for (const unsigned int n : {0U, 1U, 3U, 4U, 64U, 65U, 1000U, 1001U, 10000U, 10001U, 100000U, 1000000U})
+            {
+                EXPECT_EQ(accepts(planner_, "population_size", [&] { planner_.setPopulationSize(n); }),
+                          n == 0 || (n >= 4 && n <= 10000));
+                EXPECT_EQ(accepts(planner_, "slices", [&] { planner_.setSlices(n); }), n >= 1 && n <= 1000);
+                EXPECT_EQ(accepts(planner_, "generations", [&] { planner_.setGenerations(n); }), n >= 1 && n <= 100000);
+                EXPECT_EQ(accepts(planner_, "threads", [&] { planner_.setThreads(n); }), n >= 1 && n <= 64);
+                EXPECT_TRUE(accepts(planner_, "seed", [&] { planner_.setSeed(n); }));
+            }
+            for (const std::string word : {"mfa", "fa", "none", "trees", "roadmap", "both", ""})
+            {
+                EXPECT_EQ(accepts(planner_, "variant", [&] { planner_.setVariant(word); }),
+                          word == "mfa" || word == "fa");
+                EXPECT_EQ(accepts(planner_, "guide", [&] { planner_.setGuide(word); }),
+                          word == "none" || word == "trees" || word == "roadmap" || word == "both");
+            }
+        }
+
+        TEST_F(Parameters, SwitchesAreReadAsOmplReadsThem)
+        {
+            for (const char *name : {"recombination", "tightening"})
+            {
+                for (const char *off : {"0", "false", "False", "FALSE", "f"})
+                {
+                    planner_.params().setParam(name, "1");
+                    EXPECT_TRUE(planner_.params().setParam(name, off)) << off;
+                    EXPECT_EQ(value(name), "0") << off;
+                }
+                for (const char *on : {"1", "true", "True", "TRUE", "t"})
+                {
+                    planner_.params().setParam(name, "0");
+                    EXPECT_TRUE(planner_.params().setParam(name, on)) << on;
+                    EXPECT_EQ(value(name), "1") << on;
+                }
+                // those OMPL would take for true
+                const test::ConsoleRecord console;
+                for (const char *neither : {"", "2", "no", "-1", "01", "truee"})
+                    EXPECT_FALSE(planner_.params().setParam(name, neither)) << neither;
+            }
+        }
+
+        TEST_F(Parameters, NumbersAreReadTheSameHoweverTheyAreWritten)
+        {
+            const test::ConsoleRecord console;
+            for (const char *half : {"0.5", "+0.5", "5e-1", ".5", " 0.5", "0.5 ", "0.50000"})
+            {
+                planner_.setGamma(1.0);
+                EXPECT_TRUE(planner_.params().setParam("gamma", half)) << half;
+                EXPECT_EQ(planner_.getGamma(), 0.5) << half;
+            }
+            for (const char *twenty : {"20", "+20", "020", " 20\t"})
+            {
+                planner_.setSlices(1);
+                EXPECT_TRUE(planner_.params().setParam("slices", twenty)) << twenty;
+                EXPECT_EQ(planner_.getSlices(), 20U) << twenty;
+            }
+            for (const char *wrong :
+                 {"0x1", "inf", "nan", "1,5", "1.5.1", "+-1", "++1", "1 2", "1e999", "+", " ", "1f"})
+            {
+                EXPECT_FALSE(planner_.params().setParam("gamma", wrong)) << wrong;
+                EXPECT_FALSE(planner_.params().setParam("slices", wrong)) << wrong;
+            }
+            for (const char *wrong : {"2e1", "20.0", "0x14", "4294967296", "18446744073709551617", "1,000"})
+                EXPECT_FALSE(planner_.params().setParam("slices", wrong)) << wrong;
+            EXPECT_EQ(planner_.getGamma(), 0.5);
+            EXPECT_EQ(planner_.getSlices(), 20U);
+        }
+
+        /* Decimal comma and points between thousands, as in German. */
+        class GermanNumbers : public std::numpunct<char>
+        {
+            char do_decimal_point() const override
+            {
+                return ',';
+            }
+
+            char do_thousands_sep() const override
+            {
+                return '.';
+            }
+
+            std::string do_grouping() const override
+            {
+                return "\3";
+            }
+        };
+
+        TEST_F(Parameters, NumbersAreReadTheSameInEveryLocale)
+        {
+            const std::locale before = std::locale::global(std::locale(std::locale::classic(), new GermanNumbers));
+            EXPECT_TRUE(planner_.params().setParam("gamma", "0.125"));
+            EXPECT_TRUE(planner_.params().setParam("generations", "2000"));
+            const std::string gamma = value("gamma");
+            const std::string generations = value("generations");
+            const test::ConsoleRecord console;
+            EXPECT_FALSE(planner_.params().setParam("gamma", "0,5"));
+            EXPECT_FALSE(planner_.params().setParam("slices", "1.000"));
+            EXPECT_FALSE(planner_.params().setParam("slices", "1001"));
+            EXPECT_TRUE(console.mentions("1001"));
+            MFA made(problem_->si);
+            EXPECT_EQ(made.params()["generations"].getRangeSuggestion(), "1:1:100000");
+            std::locale::global(before);
+            EXPECT_EQ(gamma, "0.125");
+            EXPECT_EQ(generations, "2000");
+            EXPECT_EQ(planner_.getGamma(), 0.125);
+            EXPECT_EQ(planner_.getGenerations(), 2000U);
+        }
+
         TEST_F(Parameters, TheyAreObeyed)
         {
             const auto planner = problem_->planner(test::Engine::Paper);
@@ -168,6 +328,68 @@ namespace ompl_mfa
             EXPECT_EQ(planner->getSwarmPaths().size(), 13U);
             EXPECT_EQ(planner->getSwarmPaths().front().getStateCount(), 4U + 2U);
             EXPECT_EQ(planner->getSlicePaths().size(), 4U);
+        }
+
+        /* A search keeps the parameters that it began with. */
+        TEST_F(Parameters, AChangeBetweenTwoSolvesWaitsForTheNextQuery)
+        {
+            constexpr std::size_t TIGHTENING = 2;
+            const auto planner = problem_->planner(test::Engine::Default);
+            planner->setTightening(false);
+            ASSERT_EQ(planner->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            planner->solve(test::afterCalls(2000));
+            planner->setTightening(true);
+            EXPECT_TRUE(planner->getTightening());
+            planner->solve(test::afterCalls(2000));
+            EXPECT_EQ(planner->shares()[TIGHTENING], 0.0);
+            planner->clear();
+            EXPECT_TRUE(planner->getTightening());
+            planner->solve(test::afterCalls(2000));
+            EXPECT_GT(planner->shares()[TIGHTENING], 0.0);
+        }
+
+        TEST_F(Parameters, ANewQueryTakesWhatWasSet)
+        {
+            constexpr std::size_t TIGHTENING = 2;
+            const auto planner = problem_->planner(test::Engine::Default);
+            planner->setTightening(false);
+            planner->solve(test::afterCalls(2000));
+            planner->setTightening(true);
+            problem_->pdef->setGoalState(problem_->state({9.0, 2.0}));
+            planner->solve(test::afterCalls(2000));
+            EXPECT_GT(planner->shares()[TIGHTENING], 0.0);
+        }
+
+        TEST_F(Parameters, WhatIsSetBetweenTwoSolvesDoesNotChangeTheSearch)
+        {
+            const auto run = [this](bool disturbed)
+            {
+                problem_->pdef->clearSolutionPaths();
+                const auto planner = problem_->planner(test::Engine::Default, 3);
+                planner->solve(test::afterCalls(6000));
+                if (disturbed)
+                {
+                    planner->setVariant("fa");
+                    planner->setPopulationSize(7);
+                    planner->setSlices(3);
+                    planner->setGenerations(2);
+                    planner->setGamma(3.0);
+                    planner->setAlpha(1.0);
+                    planner->setEta(0.1);
+                    planner->setGuide("none");
+                    planner->setRecombination(false);
+                    planner->setTightening(false);
+                    planner->setSeed(0);
+                    planner->setThreads(2);
+                }
+                planner->solve(test::afterCalls(6000));
+                std::vector<double> result = planner->shares();
+                result.push_back(planner->bestCost());
+                result.push_back(static_cast<double>(planner->evaluations()));
+                result.push_back(static_cast<double>(planner->iterations()));
+                return result;
+            };
+            EXPECT_EQ(run(true), run(false));
         }
 
         TEST_F(Parameters, BothVariantsSolve)
@@ -181,36 +403,9 @@ namespace ompl_mfa
             }
         }
 
-        /* The numbers, or the words, of a text. */
-        std::vector<std::string> accepted(const std::string &text, const std::string &separators)
-        {
-            std::vector<std::string> parts(1);
-            for (const char c : text)
-            {
-                if (separators.find(c) == std::string::npos)
-                    parts.back() += c;
-                else if (!parts.back().empty())
-                    parts.emplace_back();
-            }
-            if (parts.back().empty())
-                parts.pop_back();
-            return parts;
-        }
-
-        /* Whether a range of the documentation ("1 to 100", "0, 4 to 100", "a, b") is what a parameter declares. */
-        bool documents(const std::string &cell, const std::string &range)
-        {
-            if (range.find(':') == std::string::npos)
-                return accepted(cell, " ,") == accepted(range, ",");
-            auto documented = accepted(cell, " ,");
-            const auto declared = split(range, ':');
-            return documented.size() >= 3 && documented[documented.size() - 2] == "to" &&
-                   std::stod(documented.front()) == std::stod(declared.front()) &&
-                   std::stod(documented.back()) == std::stod(declared.back());
-        }
-
-        /* The table of the documentation has a row `| `name` | default | range | ...` for each parameter. */
-        TEST_F(Parameters, EachIsInTheDocumentationWithItsDefaultAndRange)
+        /* The table of the documentation has a row `| `name` | default | range | unit | meaning | ...` for each
+           parameter. */
+        TEST_F(Parameters, EachIsInTheDocumentationWithItsDefaultItsRangeAndItsMeaning)
         {
             std::ifstream in(OMPL_MFA_SOURCE_DIR "/docs/planner.md");
             ASSERT_TRUE(in) << "docs/planner.md is missing";
@@ -221,25 +416,20 @@ namespace ompl_mfa
                 if (cells.size() > 5 && cells[1].size() > 4 && cells[1].substr(0, 2) == " `")
                     rows[cells[1].substr(2, cells[1].size() - 4)] = cells;
             }
-            for (const auto &[name, parameter] : planner_.params().getParams())
+            const auto compare = [&](const auto &parameter)
             {
+                const std::string &name = parameter.name;
                 ASSERT_EQ(rows.count(name), 1U) << name << " is not in the table";
-                EXPECT_TRUE(documents(rows[name][3], parameter->getRangeSuggestion()))
-                    << name << ": " << rows[name][3] << " is not " << parameter->getRangeSuggestion();
-                const std::string defaultCell = rows[name][2];
-                const std::string shown = defaultCell.substr(1, defaultCell.size() - 2);
-                const std::string actual = parameter->getValue();
-                const bool number = actual.find_first_not_of("0123456789.-+e") == std::string::npos;
-                if (number)
-                {
-                    EXPECT_DOUBLE_EQ(std::stod(shown), std::stod(actual)) << name;
-                }
-                else
-                {
-                    EXPECT_EQ(shown, actual) << name;
-                }
+                EXPECT_EQ(rows[name][2], ' ' + parameter.accepted.write(MFASettings().*parameter.member) + ' ') << name;
+                EXPECT_EQ(rows[name][3], ' ' + parameter.accepted.description() + ' ') << name;
+                EXPECT_EQ(rows[name][5], ' ' + parameter.meaning + ' ') << name;
+                EXPECT_TRUE(planner_.params().hasParam(name));
+                EXPECT_EQ(value(name), parameter.accepted.write(MFASettings().*parameter.member));
                 rows.erase(name);
-            }
+            };
+            for (const auto &parameter : mfaParameters())
+                std::visit(compare, parameter);
+            EXPECT_EQ(planner_.params().size(), mfaParameters().size());
             for (const auto &row : rows)
                 ADD_FAILURE() << row.first << " is in the table, but no parameter";
         }

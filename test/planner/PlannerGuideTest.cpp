@@ -117,6 +117,33 @@ namespace ompl_mfa
             }
         }
 
+        TEST_F(GuidePlanner, AnotherOneTakesPartFromTheNextQueryOn)
+        {
+            const auto mfa = planner(*problem_, nullptr);
+            mfa->solve(test::afterCalls(2000));
+            mfa->setGuidePlanner(make<og::RRTConnect>);
+            mfa->solve(test::afterCalls(2000));
+            EXPECT_EQ(mfa->shares().back(), 0.0);
+            problem_->pdef->setGoalState(problem_->state({9.0, 6.0}));
+            mfa->solve(test::afterCalls(2000));
+            EXPECT_GT(mfa->shares().back(), 0.0);
+            mfa->setGuidePlanner(nullptr);
+            mfa->solve(test::afterCalls(2000));
+            EXPECT_GT(mfa->shares().back(), 0.0);
+            mfa->clear();
+            mfa->solve(test::afterCalls(2000));
+            EXPECT_EQ(mfa->shares().back(), 0.0);
+        }
+
+        TEST_F(GuidePlanner, AQueryThatCouldNotBeginBeginsLater)
+        {
+            const auto mfa = planner(*problem_, [](const ob::SpaceInformationPtr &) { return ob::PlannerPtr(); });
+            EXPECT_THROW(mfa->solve(test::afterCalls(2000)), ompl::Exception);
+            EXPECT_THROW(mfa->solve(test::afterCalls(2000)), ompl::Exception);
+            mfa->setGuidePlanner(make<og::RRTConnect>);
+            EXPECT_EQ(mfa->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+        }
+
         TEST_F(GuidePlanner, ItsBetterPathsAreTaken)
         {
             for (auto *const guide : {make<og::RRTConnect>, make<og::BITstar>})

@@ -19,6 +19,7 @@
 #include "ompl_mfa/path/SliceFrame.h"
 #include "ompl_mfa/path/StateChart.h"
 #include "ompl_mfa/planner/Incumbent.h"
+#include "ompl_mfa/planner/MFASettings.h"
 #include "ompl_mfa/planner/PlannerGuide.h"
 #include "ompl_mfa/planner/Query.h"
 #include "ompl_mfa/planner/RoadmapGuide.h"
@@ -57,8 +58,10 @@ namespace ompl_mfa
         using ompl::base::Planner::solve;
         void getPlannerData(ompl::base::PlannerData &data) const override;
 
-        /** \name Parameters. A setter throws ompl::Exception naming the parameter, the value and what is accepted.
-            Changes take effect with the next solve() after clear().
+        /** \name Parameters. What each means and accepts stands in mfaParameters(). A setter throws ompl::Exception
+            naming the parameter, the value and what is accepted, if it is not; a getter returns what was set last. A
+            search keeps the parameters that were set when it began: changes take effect with the first solve() after
+            clear(), or with the next query.
             @{ */
         void setVariant(const std::string &variant);
         std::string getVariant() const;
@@ -88,7 +91,7 @@ namespace ompl_mfa
 
         /** \brief A planner that searches in turns with the other parts, beside the guides that the parameter \e guide
             names: what it solves, MFA solves, and its paths are tightened as those of the others are. A null allocator
-            (the default) is none. Takes effect with the next solve() after clear(). */
+            (the default) is none. Takes effect as the parameters do. */
         void setGuidePlanner(const ompl::base::PlannerAllocator &allocator);
 
         /** \brief The fireflies' paths as they are now, brightest first; empty before solve(). */
@@ -126,7 +129,7 @@ namespace ompl_mfa
 
         void declareParameters();
         template <typename T>
-        void setSwarm(T FireflyOptimizer::Settings::*setting, T value);
+        void set(T MFASettings::*member, const T &value);
         FireflyOptimizer::Settings swarmSettings() const;
         ompl::base::PlannerStatus::StatusType begin(const ompl::base::PlannerTerminationCondition &ptc);
         void prepareQuery();
@@ -202,16 +205,9 @@ namespace ompl_mfa
         ompl::RNG rng_;
         mutable std::vector<Waypoints> plannerDataPaths_;
 
-        FireflyOptimizer::Settings settings_;
-        unsigned int populationSize_{0};
-        unsigned int slices_{12};
-        std::uint32_t seed_{0};
-        unsigned int threads_{1};
+        MFASettings settings_;  ///< as they were set, for the next query
+        MFASettings search_;    ///< those of this query
         ompl::base::PlannerAllocator guidePlanner_;
-        bool useTrees_{true};
-        bool useRoadmap_{true};
-        bool useRecombination_{true};
-        bool useTightening_{true};
 
         mutable std::recursive_mutex mutex_;  ///< held while the search changes; its callbacks may ask for planner data
         std::atomic<std::uint64_t> iterations_{0};

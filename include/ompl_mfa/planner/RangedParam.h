@@ -5,17 +5,17 @@
 #include <string>
 #include <utility>
 
-#include <boost/lexical_cast.hpp>
-
 #include <ompl/base/GenericParam.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
+#include "ompl_mfa/planner/AcceptedValues.h"
+
 namespace ompl_mfa
 {
-    /** \brief A planner parameter that refuses numbers outside its range, and whose setter may refuse a value as well:
-        setValue then warns on OMPL's console with the parameter, the value and what is accepted, returns false and
-        changes nothing. */
+    /** \brief A planner parameter that accepts only some values. For any other setValue warns on OMPL's console with
+        the parameter, the value and what is accepted, returns false and changes nothing. Blanks around a value do not
+        count. What getValue returns, setValue accepts. */
     template <typename T>
     class RangedParam : public ompl::base::GenericParam
     {
@@ -23,60 +23,51 @@ namespace ompl_mfa
         using Setter = std::function<void(const T &)>;
         using Getter = std::function<T()>;
 
-        /** \brief \e setter throws ompl::Exception for a value that is not accepted; \e range is OMPL's range
-            suggestion, "lowest:step:highest" or the values separated by commas. */
-        RangedParam(const std::string &name, Setter setter, Getter getter, const std::string &range)
+        /** \brief \e setter is called with accepted values only. */
+        RangedParam(const std::string &name, AcceptedValues<T> accepted, Setter setter, Getter getter)
           : GenericParam(name)
+          , accepted_(std::move(accepted))
           , setter_(std::move(setter))
           , getter_(std::move(getter))
         {
-            setRangeSuggestion(range);
+            setRangeSuggestion(accepted_.suggestion());
         }
 
         bool setValue(const std::string &value) override
         {
+            T typed{};
             try
             {
-                const T typed = boost::lexical_cast<T>(value);
-                if (!isWithinRange(value))
-                {
-                    OMPL_WARN("Invalid value for parameter '%s': %s is out of range; accepted: %s", name_.c_str(),
-                              value.c_str(), rangeSuggestion_.c_str());
-                    return false;
-                }
-                setter_(typed);
-            }
-            catch (const boost::bad_lexical_cast &)
-            {
-                OMPL_WARN("Invalid value for parameter '%s': '%s' is not of the right type; accepted: %s",
-                          name_.c_str(), value.c_str(), rangeSuggestion_.c_str());
-                return false;
+                if (!accepted_.read(withoutBlanks(value), typed))
+                    throw ompl::Exception(name_ + " = '" + value + "' is not of the right type; accepted is " +
+                                          accepted_.description());
+                require(accepted_, name_, typed);
             }
             catch (const ompl::Exception &error)
             {
-                OMPL_WARN("Invalid value for parameter '%s': %s", name_.c_str(), error.what());
+                OMPL_WARN("Invalid value for a parameter: %s", error.what());
                 return false;
             }
+            setter_(typed);
             return true;
         }
 
         std::string getValue() const override
         {
-            return boost::lexical_cast<std::string>(getter_());
+            return accepted_.write(getter_());
         }
 
     private:
-        /* Of the text and not of what it became: lexical_cast turns -1 into the largest unsigned number. */
-        bool isWithinRange(const std::string &value) const
+        static std::string withoutBlanks(const std::string &text)
         {
-            const auto lowestEnd = rangeSuggestion_.find(':');
-            if (lowestEnd == std::string::npos)
-                return true;
-            const double number = boost::lexical_cast<double>(value);
-            return number >= boost::lexical_cast<double>(rangeSuggestion_.substr(0, lowestEnd)) &&
-                   number <= boost::lexical_cast<double>(rangeSuggestion_.substr(rangeSuggestion_.rfind(':') + 1));
+            const char *const blanks = " \t\r\n";
+            const auto first = text.find_first_not_of(blanks);
+            if (first == std::string::npos)
+                return {};
+            return text.substr(first, text.find_last_not_of(blanks) - first + 1);
         }
 
+        AcceptedValues<T> accepted_;
         Setter setter_;
         Getter getter_;
     };

@@ -1,0 +1,93 @@
+#ifndef OMPL_MFA_PLANNER_ACCEPTED_VALUES_
+#define OMPL_MFA_PLANNER_ACCEPTED_VALUES_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <ompl/util/Exception.h>
+
+namespace ompl_mfa
+{
+    /** \brief The numbers that a parameter of type \e T (unsigned int or double) accepts, and their text: a closed
+        interval, and at most one number apart from it. Text is the same in every locale. */
+    template <typename T>
+    class AcceptedValues
+    {
+    public:
+        /** \brief The numbers \e lowest to \e highest, both finite. \e step is a suggestion for user interfaces. \e
+            apart is accepted too, a number below \e lowest. */
+        AcceptedValues(T lowest, T step, T highest, std::optional<T> apart = std::nullopt)
+          : lowest_(lowest)
+          , step_(step)
+          , highest_(highest)
+          , apart_(apart)
+        {
+        }
+
+        bool contains(T value) const
+        {
+            return (value >= lowest_ && value <= highest_) || (apart_ && value == *apart_);
+        }
+
+        /** \brief Reads a decimal number, with or without a sign + and, for a double, an exponent. Returns false and
+            leaves \e value as it is if \e text is anything else. Does not ask whether the number is accepted. */
+        static bool read(const std::string &text, T &value);
+
+        /** \brief The shortest text that read() turns into \e value again. */
+        static std::string write(T value);
+
+        /** \brief As OMPL suggests ranges: "lowest:step:highest". */
+        std::string suggestion() const;
+
+        /** \brief For people: "0, 4 to 10000". */
+        std::string description() const;
+
+    private:
+        T lowest_;
+        T step_;
+        T highest_;
+        std::optional<T> apart_;
+    };
+
+    /** \brief The words that a parameter accepts. */
+    template <>
+    class AcceptedValues<std::string>
+    {
+    public:
+        explicit AcceptedValues(std::vector<std::string> words);
+
+        bool contains(const std::string &value) const;
+        static bool read(const std::string &text, std::string &value);
+        static std::string write(const std::string &value);
+        std::string suggestion() const;
+        std::string description() const;
+
+    private:
+        std::vector<std::string> words_;
+    };
+
+    /** \brief A switch: read as 0, 1, f, t, false or true in upper or lower case, written as 0 or 1. OMPL reads all
+        other texts, "no" among them, as true; here they are refused. */
+    template <>
+    class AcceptedValues<bool>
+    {
+    public:
+        bool contains(bool value) const;
+        static bool read(const std::string &text, bool &value);
+        static std::string write(bool value);
+        std::string suggestion() const;
+        std::string description() const;
+    };
+
+    /** \brief Throws ompl::Exception naming the parameter \e name, the value and what is accepted, unless \e accepted
+        contains \e value. */
+    template <typename T>
+    void require(const AcceptedValues<T> &accepted, const std::string &name, const T &value)
+    {
+        if (!accepted.contains(value))
+            throw ompl::Exception(name + " = " + accepted.write(value) + ": accepted is " + accepted.description());
+    }
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,135 @@
+#include "ompl_mfa/planner/AcceptedValues.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        std::string joined(const std::vector<std::string> &words, const char *separator)
+        {
+            std::string text;
+            for (const auto &word : words)
+                text += (text.empty() ? "" : separator) + word;
+            return text;
+        }
+
+        /* OMPL's user interfaces tell real numbers from whole ones by the point in a suggested range. */
+        template <typename T>
+        std::string suggested(T value)
+        {
+            std::string text = AcceptedValues<T>::write(value);
+            if (std::is_floating_point_v<T> && text.find_first_of(".e") == std::string::npos)
+                text += ".0";
+            return text;
+        }
+    }  // namespace
+
+    template <typename T>
+    bool AcceptedValues<T>::read(const std::string &text, T &value)
+    {
+        const char *begin = text.data();
+        const char *const end = begin + text.size();
+        // from_chars knows no sign +
+        if (begin != end && *begin == '+' && begin + 1 != end && begin[1] != '-')
+            ++begin;
+        T number{};
+        const auto result = std::from_chars(begin, end, number);
+        if (result.ec != std::errc() || result.ptr != end)
+            return false;
+        value = number;
+        return true;
+    }
+
+    template <typename T>
+    std::string AcceptedValues<T>::write(T value)
+    {
+        std::array<char, 32> text{};
+        const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+        return {text.data(), result.ptr};
+    }
+
+    template <typename T>
+    std::string AcceptedValues<T>::suggestion() const
+    {
+        return suggested(apart_.value_or(lowest_)) + ':' + suggested(step_) + ':' + suggested(highest_);
+    }
+
+    template <typename T>
+    std::string AcceptedValues<T>::description() const
+    {
+        return (apart_ ? write(*apart_) + ", " : "") + write(lowest_) + " to " + write(highest_);
+    }
+
+    template class AcceptedValues<unsigned int>;
+    template class AcceptedValues<double>;
+
+    AcceptedValues<std::string>::AcceptedValues(std::vector<std::string> words)
+      : words_(std::move(words))
+    {
+    }
+
+    bool AcceptedValues<std::string>::contains(const std::string &value) const
+    {
+        return std::find(words_.begin(), words_.end(), value) != words_.end();
+    }
+
+    bool AcceptedValues<std::string>::read(const std::string &text, std::string &value)
+    {
+        value = text;
+        return true;
+    }
+
+    std::string AcceptedValues<std::string>::write(const std::string &value)
+    {
+        return value;
+    }
+
+    std::string AcceptedValues<std::string>::suggestion() const
+    {
+        return joined(words_, ",");
+    }
+
+    std::string AcceptedValues<std::string>::description() const
+    {
+        return joined(words_, ", ");
+    }
+
+    bool AcceptedValues<bool>::contains(bool /*value*/) const
+    {
+        return true;
+    }
+
+    bool AcceptedValues<bool>::read(const std::string &text, bool &value)
+    {
+        std::string word = text;
+        std::transform(word.begin(), word.end(), word.begin(),
+                       [](unsigned char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+        const bool on = word == "1" || word == "t" || word == "true";
+        const bool off = word == "0" || word == "f" || word == "false";
+        if (on || off)
+            value = on;
+        return on || off;
+    }
+
+    std::string AcceptedValues<bool>::write(bool value)
+    {
+        return value ? "1" : "0";
+    }
+
+    std::string AcceptedValues<bool>::suggestion() const
+    {
+        return "0,1";
+    }
+
+    std::string AcceptedValues<bool>::description() const
+    {
+        return "0, 1, false, true";
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,50 @@
+#include "ompl_mfa/planner/MFASettings.h"
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace ompl_mfa
+{
+    static_assert(std::is_same_v<decltype(MFASettings::seed), std::uint32_t>, "a seed has 32 bits");
+
+    const std::vector<AnyMFAParameter> &mfaParameters()
+    {
+        using Word = MFAParameter<std::string>;
+        using Whole = MFAParameter<unsigned int>;
+        using Real = MFAParameter<double>;
+        using Switch = MFAParameter<bool>;
+        using Words = AcceptedValues<std::string>;
+        using Numbers = AcceptedValues<unsigned int>;
+        using Reals = AcceptedValues<double>;
+        static const std::vector<AnyMFAParameter> TABLE{
+            Word{"variant", &MFASettings::variant, Words({"mfa", "fa"}),
+                 "the paper's modified firefly algorithm, or the plain one"},
+            // one range for both variants: trial vectors are made from four fireflies
+            Whole{"population_size", &MFASettings::populationSize, Numbers(4, 1, 10000, 0),
+                  "size of the swarm; 0: 100 in paper mode, else 20"},
+            Whole{"slices", &MFASettings::slices, Numbers(1, 1, 1000),
+                  "slices across the axis from start to goal, m - 1 in the paper; half as many in a window"},
+            Whole{"generations", &MFASettings::generations, Numbers(1, 1, 100000),
+                  "length of an epoch, over which the random step and the attraction shrink; at most 15 in a window"},
+            Real{"gamma", &MFASettings::gamma, Reals(0.0, 0.01, 100.0),
+                 "light absorption: how fast the attraction falls with the distance of two fireflies, measured in "
+                 "ranges of their coordinates"},
+            Real{"alpha", &MFASettings::alpha, Reals(0.0, 0.01, 1.0), "random step at the beginning of an epoch"},
+            Real{"eta", &MFASettings::eta, Reals(0.0, 0.01, 2.0),
+                 "attraction at distance 0 at the beginning of an epoch; 1 carries a firefly all the way to a brighter "
+                 "one"},
+            Word{"guide", &MFASettings::guide, Words({"none", "trees", "roadmap", "both"}),
+                 "planners beside the swarm that find ways which straight slices cannot express: trees that restart, "
+                 "a roadmap that grows"},
+            Switch{"recombination", &MFASettings::recombination, {}, "splices the paths of the swarm into better ones"},
+            Switch{"tightening",
+                   &MFASettings::tightening,
+                   {},
+                   "refines new paths: fewer vertices, shortcuts, pulls toward the chord, cut corners"},
+            Whole{"seed", &MFASettings::seed, Numbers(0, 1, std::numeric_limits<std::uint32_t>::max()),
+                  "fixes the random numbers, and lets no clock decide; 0: another run every time"},
+            Whole{"threads", &MFASettings::threads, Numbers(1, 1, 64), "check states and motions, see above"}};
+        return TABLE;
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,91 @@
+#include "ompl_mfa/planner/AcceptedValues.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        TEST(AcceptedValues, AnIntervalHasBothEndsAndAtMostOneNumberApart)
+        {
+            const AcceptedValues<unsigned int> sizes(4, 1, 10000, 0);
+            for (const unsigned int size : {0U, 4U, 5U, 10000U})
+                EXPECT_TRUE(sizes.contains(size)) << size;
+            for (const unsigned int size : {1U, 3U, 10001U, 4294967295U})
+                EXPECT_FALSE(sizes.contains(size)) << size;
+            EXPECT_EQ(sizes.suggestion(), "0:1:10000");
+            EXPECT_EQ(sizes.description(), "0, 4 to 10000");
+        }
+
+        TEST(AcceptedValues, NoIntervalHoldsWhatIsNoNumberOrInfinite)
+        {
+            const AcceptedValues<double> shares(-1.0, 0.125, 2.5);
+            EXPECT_TRUE(shares.contains(-1.0));
+            EXPECT_TRUE(shares.contains(2.5));
+            for (const double value : {std::nextafter(-1.0, -2.0), std::nextafter(2.5, 3.0),
+                                       std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL})
+                EXPECT_FALSE(shares.contains(value)) << value;
+            EXPECT_EQ(shares.suggestion(), "-1.0:0.125:2.5") << "OMPL takes 2 for a whole number";
+            EXPECT_EQ(shares.description(), "-1 to 2.5");
+        }
+
+        TEST(AcceptedValues, WordsAreComparedAsTheyAre)
+        {
+            const AcceptedValues<std::string> words({"none", "both"});
+            EXPECT_TRUE(words.contains("none"));
+            EXPECT_TRUE(words.contains("both"));
+            for (const char *word : {"", "None", "bot", "none,both"})
+                EXPECT_FALSE(words.contains(word)) << word;
+            EXPECT_EQ(words.suggestion(), "none,both");
+            EXPECT_EQ(words.description(), "none, both");
+        }
+
+        TEST(AcceptedValues, ARefusalNamesParameterValueAndWhatIsAccepted)
+        {
+            try
+            {
+                require(AcceptedValues<double>(0.0, 0.01, 2.0), "eta", 2.5);
+                FAIL() << "accepted";
+            }
+            catch (const ompl::Exception &error)
+            {
+                EXPECT_STREQ(error.what(), "eta = 2.5: accepted is 0 to 2");
+            }
+        }
+
+        template <typename T>
+        T readBack(T value)
+        {
+            T read{};
+            EXPECT_TRUE(AcceptedValues<T>::read(AcceptedValues<T>::write(value), read)) << value;
+            return read;
+        }
+
+        RC_GTEST_PROP(AcceptedValuesProperty, EveryFiniteNumberIsReadAsItWasWritten, (double value))
+        {
+            RC_PRE(std::isfinite(value));
+            RC_ASSERT(readBack(value) == value);
+        }
+
+        RC_GTEST_PROP(AcceptedValuesProperty, EveryWholeNumberIsReadAsItWasWritten, (unsigned int value, bool on))
+        {
+            RC_ASSERT(readBack(value) == value);
+            RC_ASSERT(readBack(on) == on);
+        }
+
+        RC_GTEST_PROP(AcceptedValuesProperty, NoTextIsReadInPart, (std::string text))
+        {
+            // what follows a number makes it none, whatever it is
+            RC_PRE(!text.empty() && text.find_first_of("0123456789.eE") == std::string::npos);
+            double real = 7.0;
+            unsigned int whole = 7;
+            RC_ASSERT(!AcceptedValues<double>::read("12" + text, real) && real == 7.0);
+            RC_ASSERT(!AcceptedValues<unsigned int>::read("12" + text, whole) && whole == 7);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
