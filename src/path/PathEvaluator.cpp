@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <ompl/util/Exception.h>
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa
@@ -57,14 +59,14 @@ namespace ompl_mfa
             cost = objective_->infiniteCost();
             return false;
         }
-        cost = objective_->motionCost(from, to);
+        cost = number(objective_->motionCost(from, to), "motion cost");
         bounds_.observeMotion(from, to, cost);
         return true;
     }
 
     ob::Cost PathEvaluator::cost(const Waypoints &path)
     {
-        work_ += path.size();
+        bookkeeping_ += path.size();
         motionCosts_.resize(path.size() - 1);
         for (std::size_t i = 0; i < motionCosts_.size(); ++i)
         {
@@ -84,7 +86,16 @@ namespace ompl_mfa
             cost = objective_->combineCosts(cost, motion);
         }
         bounds_.observePath(path.front(), path.back(), motions);
-        return objective_->combineCosts(cost, objective_->terminalCost(path.back()));
+        return number(objective_->combineCosts(cost, objective_->terminalCost(path.back())), "path cost");
+    }
+
+    /* Nothing is better or worse than what is not a number, so that no search would end with it. */
+    ob::Cost PathEvaluator::number(ob::Cost cost, const char *what) const
+    {
+        if (std::isnan(cost.value()))
+            throw ompl::Exception("MFA", "the objective '" + objective_->getDescription() + "' computed a " + what +
+                                             " that is not a number");
+        return cost;
     }
 
     bool PathEvaluator::stopped()
@@ -95,7 +106,7 @@ namespace ompl_mfa
 
     bool PathEvaluator::checkState(const ob::State *state)
     {
-        ++work_;
+        ++checks_;
         return si_->satisfiesBounds(state) && si_->isValid(state);
     }
 
@@ -104,7 +115,7 @@ namespace ompl_mfa
         if (stopped())
             return false;
         const bool valid = parallel_ ? parallel_->checkMotion({from, to}) : si_->checkMotion(from, to);
-        work_ += motionWork(*si_, {from, to}, valid);
+        checks_ += motionWork(*si_, {from, to}, valid);
         return valid;
     }
 
@@ -118,7 +129,7 @@ namespace ompl_mfa
             count *= 2;
         const Motion motion{from, to};
         const bool valid = parallel_ ? parallel_->checkInside(motion, count) : checkInside(motion, count);
-        work_ += bisectionWork(count, valid);
+        checks_ += bisectionWork(count, valid);
         return valid;
     }
 
@@ -158,7 +169,7 @@ namespace ompl_mfa
             valid_.resize(motions_.size());
             checked_ += parallel_->checkMotions(&motions_[i], motions_.size() - i, &valid_[i]);
         }
-        work_ += motionWork(*si_, motions_[i], valid_[i] != 0);
+        checks_ += motionWork(*si_, motions_[i], valid_[i] != 0);
         return valid_[i] != 0;
     }
 
@@ -198,7 +209,7 @@ namespace ompl_mfa
             if (j % STATES_BETWEEN_STOPS == STATES_BETWEEN_STOPS - 1 && stopped())
                 return false;
             space->interpolate(motion.from, motion.to, (j + 0.5) / states, scratch_);
-            ++work_;
+            ++checks_;
             if (!si_->isValid(scratch_))
                 return false;
         }
@@ -224,7 +235,8 @@ namespace ompl_mfa
     {
         if (!std::isfinite(cost) || cost <= 0.0)
             return cost;
-        return objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(factor * cost)) ? factor * cost : cost;
+        const double slack = factor * cost;
+        return std::isfinite(slack) && objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(slack)) ? slack : cost;
     }
 
     Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival, unsigned int stride)
@@ -267,7 +279,7 @@ namespace ompl_mfa
     {
         si_->copyState(scratch_, path[motion]);
         std::pair<ob::State *, double> lastValid(scratch_, 0.0);
-        work_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
+        checks_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
         si_->checkMotion(path[motion], path[motion + 1], lastValid);
         partialPath_(path, motion, scratch_);
     }
@@ -275,7 +287,7 @@ namespace ompl_mfa
     /* Of the states that divide a motion into \e count pieces, and its end. */
     unsigned int PathEvaluator::countInvalid(const ob::State *from, const ob::State *to, unsigned int count)
     {
-        work_ += count;
+        checks_ += count;
         if (parallel_)
             return parallel_->countInvalid({from, to}, count);
         unsigned int invalid = 0;

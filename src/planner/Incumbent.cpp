@@ -21,6 +21,19 @@ namespace ompl_mfa
         partialDistance_ = std::numeric_limits<double>::infinity();
     }
 
+    bool Incumbent::hasFinitePath() const
+    {
+        return hasPath() && objective_->isFinite(ob::Cost(cost()));
+    }
+
+    double Incumbent::bound() const
+    {
+        if (!hasPath() || hasFinitePath())
+            return cost();
+        const double largest = std::numeric_limits<double>::max();
+        return objective_->infiniteCost().value() > 0.0 ? largest : -largest;
+    }
+
     bool Incumbent::improvedBy(double cost) const
     {
         return path_.empty() || objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(this->cost()));

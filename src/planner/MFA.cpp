@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <utility>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -22,13 +21,27 @@ namespace ompl_mfa
         /* Random detours that have to keep to the objective's bounds before a path that meets them ends the search. */
         constexpr unsigned int PROBES = 64;
 
-        /* Processor time of this thread, s: what other programs do must not distort the shares. */
-        double threadTime()
+        /* The evaluator asks the condition of this solve() and no later one, however solve() ends. */
+        class StopConditionScope
         {
-            timespec time{};
-            clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-            return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-        }
+        public:
+            StopConditionScope(PathEvaluator &evaluator, const ob::PlannerTerminationCondition &ptc)
+              : evaluator_(evaluator)
+            {
+                evaluator_.setStopCondition([&ptc] { return ptc(); });
+            }
+
+            ~StopConditionScope()
+            {
+                evaluator_.setStopCondition({});
+            }
+
+            StopConditionScope(const StopConditionScope &) = delete;
+            StopConditionScope &operator=(const StopConditionScope &) = delete;
+
+        private:
+            PathEvaluator &evaluator_;
+        };
     }  // namespace
 
     MFA::MFA(const ob::SpaceInformationPtr &si)
@@ -60,11 +73,19 @@ namespace ompl_mfa
     void MFA::clear()
     {
         Planner::clear();
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        const SearchLock::Search lock(lock_);
+        forgetSearch();
+    }
+
+    void MFA::forgetSearch()
+    {
         forgetParts();
         evaluator_.reset();
         query_->reset();
         incumbent_->reset(nullptr);
+        publishing_.reset();
+        publishedPath_.reset();
+        unpublished_ = improving_ = false;
         triedStarts_ = triedGoals_ = 0;
         iterations_ = 0;
         evaluations_ = 0;
@@ -82,7 +103,11 @@ namespace ompl_mfa
         if (evaluator_ && !query_->differsFrom(*pdef_))
             return;
         if (evaluator_)
-            clearQuery();
+        {
+            Planner::clear();
+            forgetSearch();
+            pis_.restart();
+        }
         objective_ = pdef_->getOptimizationObjective();
         if (!objective_)
         {
@@ -103,21 +128,32 @@ namespace ompl_mfa
 
     ob::PlannerStatus::StatusType MFA::begin(const ob::PlannerTerminationCondition &ptc)
     {
-        prepareQuery();
-        published_ = false;
-        evaluator_->setStopCondition([&ptc] { return ptc(); });
         return query_->begin(pis_, ptc, chart_, si_, runSeed_);
     }
 
     ob::PlannerStatus MFA::solve(const ob::PlannerTerminationCondition &ptc)
     {
         checkValidity();
-        {
-            const std::lock_guard<std::recursive_mutex> lock(mutex_);
-            const auto status = begin(ptc);
-            if (status != ob::PlannerStatus::EXACT_SOLUTION)
-                return status;
-        }
+        const SearchLock::Search lock(lock_);
+        // wherever the condition is evaluated, what other threads may ask for is complete
+        const ob::PlannerTerminationCondition watched(
+            [&]
+            {
+                lock_.letReadersIn();
+                return ptc();
+            });
+        return search(watched);
+    }
+
+    ob::PlannerStatus MFA::search(const ob::PlannerTerminationCondition &ptc)
+    {
+        prepareQuery();
+        const StopConditionScope stopCondition(*evaluator_, ptc);
+        const auto status = begin(ptc);
+        if (status != ob::PlannerStatus::EXACT_SOLUTION)
+            return status;
+        if (incumbent_->hasPath() && !isPublished())
+            publish();
         while (!finished(ptc))
             iterate(ptc);
         return report();
@@ -181,33 +217,40 @@ namespace ompl_mfa
 
     void MFA::iterate(const ob::PlannerTerminationCondition &ptc)
     {
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
         query_->poll(pis_, ptc);
         tryStraightMotions();
         followStraightMotion();
         if (!untaken_.empty())
             offerTightened(std::exchange(untaken_, Waypoints(si_->getStateSpace())));
+        updatePhase();
         const std::vector<bool> available = availableParts();
         if (std::find(available.begin(), available.end(), true) == available.end() || finished(ptc))
             return;
+        takeNextTurn(available);
+        publishIfDue();
+    }
+
+    void MFA::takeNextTurn(const std::vector<bool> &available)
+    {
         const std::size_t part = sharing_.next(available);
-        const std::uint64_t before = evaluator_->work();
-        const double began = threadTime();
-        const bool hadPath = incumbent_->hasPath();
         const double cost = incumbent_->cost();
+        const TurnMeter meter(*evaluator_, search_.seed != 0 ? 1e-6 * search_.stateCheckTime : 0.0);
         // turns grow with the work done, so that no part spends its time beginning
-        takeTurn(static_cast<Part>(part), std::clamp(before / 20, SHORTEST_TURN, LONGEST_TURN));
-        double gain = 0.0;
-        if (hadPath)
-            gain = std::abs(cost - incumbent_->cost()) / std::max(std::abs(cost), 1e-12);
-        // a seeded run must not depend on a clock; without one, the work that is not state checks is only estimated
-        const double spent =
-            search_.seed != 0 ? static_cast<double>(evaluator_->work() - before + 1) : threadTime() - began;
+        takeTurn(static_cast<Part>(part), std::clamp(evaluator_->work() / 20, SHORTEST_TURN, LONGEST_TURN));
+        const double spent = meter.spent();
         spent_[part] += spent;
-        if (!hadPath && incumbent_->hasPath())
-            shareForImprovement();
-        else
-            sharing_.record(part, spent, std::min(gain, 1.0));
+        const double gain = improving_ ? std::abs(cost - incumbent_->cost()) / std::max(std::abs(cost), 1e-12) : 0.0;
+        sharing_.record(part, spent, std::min(gain, 1.0));
+        updatePhase();
+    }
+
+    /* Wherever the first path of finite cost came from, the parts share the time as it suits its improvement. */
+    void MFA::updatePhase()
+    {
+        if (improving_ || !incumbent_->hasFinitePath())
+            return;
+        improving_ = true;
+        shareForImprovement();
     }
 
     void MFA::offer(const Waypoints &path, double cost)
@@ -218,7 +261,14 @@ namespace ompl_mfa
         if (first)
             evaluator_->setPartialPathEvent({});
         tighteningStale_ = true;
-        publish();
+        unpublished_ = true;
+        publishIfDue();
+    }
+
+    void MFA::publishIfDue()
+    {
+        if (unpublished_ && publishing_.due(incumbent_->cost(), evaluator_->work()))
+            publish();
     }
 
     void MFA::publish()
@@ -230,9 +280,25 @@ namespace ompl_mfa
         solution.setPlannerName(getName());
         solution.setOptimized(objective_, cost, objective_->isSatisfied(cost));
         pdef_->addSolutionPath(solution);
-        published_ = true;
-        if (const auto &callback = pdef_->getIntermediateSolutionCallback())
-            callback(this, incumbent_->path().pointers(), cost);
+        publishing_.published(cost.value(), evaluator_->work());
+        publishedPath_ = path;
+        unpublished_ = false;
+        const auto callback = pdef_->getIntermediateSolutionCallback();
+        if (!callback)
+            return;
+        // the callback may wait for a thread that asks for planner data
+        const SearchLock::Release release(lock_);
+        callback(this, incumbent_->path().pointers(), cost);
+    }
+
+    /* Whether the problem definition, which may be another one than before, has the best path. */
+    bool MFA::isPublished() const
+    {
+        if (unpublished_ || !publishedPath_)
+            return false;
+        const auto solutions = pdef_->getSolutions();
+        return std::any_of(solutions.begin(), solutions.end(),
+                           [this](const ob::PlannerSolution &solution) { return solution.path_ == publishedPath_; });
     }
 
     void MFA::offerPartial(const Waypoints &path, std::size_t motion, const ob::State *lastValid)
@@ -248,11 +314,9 @@ namespace ompl_mfa
 
     ob::PlannerStatus MFA::report()
     {
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
-        evaluator_->setStopCondition({});
         if (incumbent_->hasPath())
         {
-            if (!published_)
+            if (!isPublished())
                 publish();
             return ob::PlannerStatus::EXACT_SOLUTION;
         }

@@ -40,11 +40,9 @@ namespace ompl_mfa
 
     FireflyOptimizer::Settings MFA::swarmSettings() const
     {
-        const bool paper =
-            !search_.usesTrees() && !search_.usesRoadmap() && !search_.recombination && !search_.tightening;
         FireflyOptimizer::Settings settings;
         settings.variant = search_.variant == "mfa" ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA;
-        settings.populationSize = paper ? PAPER_POPULATION : POPULATION;
+        settings.populationSize = paper_ ? PAPER_POPULATION : POPULATION;
         if (search_.populationSize != 0)
             settings.populationSize = search_.populationSize;
         settings.generations = search_.generations;
@@ -162,6 +160,16 @@ namespace ompl_mfa
     std::uint32_t MFA::getSeed() const
     {
         return settings_.seed;
+    }
+
+    void MFA::setStateCheckTime(double microseconds)
+    {
+        set(&MFASettings::stateCheckTime, microseconds);
+    }
+
+    double MFA::getStateCheckTime() const
+    {
+        return settings_.stateCheckTime;
     }
 
     void MFA::setThreads(unsigned int threads)

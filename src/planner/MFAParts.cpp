@@ -56,6 +56,7 @@ namespace ompl_mfa
         spent_.assign(PARTS, 0.0);
         if (guidePlanner_)
             plannerGuide_ = std::make_unique<PlannerGuide>(guidePlanner_, pdef_->getGoal(), *evaluator_);
+        paper_ = search_.isPaper() && !plannerGuide_;
         shareForFirstPath();
         if (search_.usesTrees())
             trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
@@ -120,16 +121,15 @@ namespace ompl_mfa
         const bool ends = !query_->starts().empty() && !query_->goals().empty();
         const bool guidePlanner = ends && plannerGuide_ && plannerGuide_->accepts(*query_);
         const bool guided = guidePlanner || (ends && (trees_ || hasRoadmap_));
-        const bool waiting = guided && !incumbent_->hasPath() && evaluator_->work() < FIRST_GUIDES;
+        const bool waiting = guided && !improving_ && evaluator_->work() < FIRST_GUIDES;
         available[FIREFLIES] = !waiting && (!axes_.empty() || !swarms_.empty() || window_);
         available[RECOMBINATION] = !waiting && search_.recombination && activeSwarm_ != nullptr &&
                                    activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
         available[TIGHTENING] = search_.tightening && incumbent_->hasPath() && incumbent_->path().size() > 2;
         available[TREES] = trees_ && ends;
-        // where checks are cheap, their number says little; a seeded run must not depend on a clock
+        // where checks are cheap, their number says little
         const bool early =
-            trees_ && !incumbent_->hasPath() &&
-            (evaluator_->work() < FIRST_TREES || (search_.seed == 0 && spent_[TREES] < FIRST_TREES_TIME));
+            trees_ && !improving_ && (evaluator_->work() < FIRST_TREES || spent_[TREES] < FIRST_TREES_TIME);
         available[ROADMAP] = hasRoadmap_ && ends && !early;
         available[PLANNER] = guidePlanner;
         return available;
@@ -217,9 +217,8 @@ namespace ompl_mfa
     /* The paper's fireflies are points on the slices, those of the whole engine smooth paths. */
     std::unique_ptr<Swarm> MFA::makeSwarm(SliceFrame frame, std::uint64_t seed)
     {
-        const bool paper = !search_.tightening && !search_.recombination && !guided();
         return std::make_unique<Swarm>(
-            std::move(frame), paper ? Swarm::Coordinates::Offsets : Swarm::Coordinates::Modes, *evaluator_,
+            std::move(frame), paper_ ? Swarm::Coordinates::Offsets : Swarm::Coordinates::Modes, *evaluator_,
             swarmSettings(), seed,
             [this](const Waypoints &valid, const Brightness &brightness) { takeFirefly(valid, brightness.cost); });
     }
@@ -262,7 +261,7 @@ namespace ompl_mfa
     {
         activeSwarm_ = nullptr;
         laySwarms();
-        const bool windows = incumbent_->hasPath() && (search_.tightening || guided());
+        const bool windows = incumbent_->hasPath() && !paper_;
         if (windows && (swarms_.size() < 2 || nextSwarm_++ % 2 == 0))
         {
             if (!window_ || window_->exhausted())
@@ -307,8 +306,9 @@ namespace ompl_mfa
             return;
         }
         // a path that tightening cannot make the best is of no use; the paper's fireflies know no such bound
-        if (search_.tightening || search_.recombination)
-            activeSwarm_->setBound(evaluator_->withSlack(incumbent_->cost(), FIREFLY_SLACK));
+        if (!paper_)
+            activeSwarm_->setBound(
+                evaluator_->withSlack(incumbent_->bound(), search_.tightening ? FIREFLY_SLACK : 1.0));
         if (flyStep(work))
             chooseSwarm();
         // one that can be deformed into the best path would only be tightened to that
@@ -354,7 +354,7 @@ namespace ompl_mfa
         Waypoints spliced(si_->getStateSpace());
         if (!incumbent_->hasPath() || !activeSwarm_->frame().crossings(incumbent_->path(), onSlices))
             onSlices.clear();
-        const double bound = evaluator_->withSlack(incumbent_->cost(), search_.tightening ? SPLICE_SLACK : 1.0);
+        const double bound = evaluator_->withSlack(incumbent_->bound(), search_.tightening ? SPLICE_SLACK : 1.0);
         if (activeSwarm_->recombine(onSlices, bound, work, spliced))
             offerTightened(spliced);
     }
@@ -382,7 +382,7 @@ namespace ompl_mfa
     void MFA::follow(Guide &guide, std::uint64_t work)
     {
         Waypoints path(si_->getStateSpace());
-        if (guide.advance(*query_, incumbent_->cost(), work, path))
+        if (guide.advance(*query_, incumbent_->bound(), work, path))
             offerTightened(path);
     }
 
@@ -399,7 +399,7 @@ namespace ompl_mfa
         offer(path, cost.value());
         if (!search_.tightening)
             return;
-        cost = tightenAgainst(path, cost, ob::Cost(incumbent_->cost()));
+        cost = tightenAgainst(path, cost, ob::Cost(incumbent_->bound()));
         if (!incumbent_->improvedBy(cost.value()))
             return keepAlternative(newTightening_->path(), cost.value());
         // the best path's own tightening goes on from here
@@ -422,8 +422,11 @@ namespace ompl_mfa
             newTightening_->advance(TIGHTENING_FACTOR * check);
             const double before = cost.value();
             cost = newTightening_->cost();
+            if (objective_->isCostBetterThan(cost, rival))
+                break;
+            // what a cost that is still infinite promises is unknown
             const ob::Cost promised(cost.value() - PATIENCE * (before - cost.value()));
-            if (objective_->isCostBetterThan(cost, rival) || (k > 0 && !objective_->isCostBetterThan(promised, rival)))
+            if (k > 0 && std::isfinite(cost.value()) && !objective_->isCostBetterThan(promised, rival))
                 break;
         }
         return cost;

@@ -27,9 +27,9 @@ namespace ompl_mfa
             return state;
         }
 
-        /* Adds the states of a path as vertices, one for all paths that begin or end alike, and its motions as edges
-           where they were found valid. */
-        void addPath(const Waypoints &path, bool checked, States &starts, States &goals, ob::PlannerData &data)
+        /* Adds the states of a valid path as vertices, one for all paths that begin or end alike, and its motions as
+           edges. */
+        void addPath(const Waypoints &path, States &starts, States &goals, ob::PlannerData &data)
         {
             States states = path.pointers();
             states.front() = shared(*path.space(), starts, states.front());
@@ -39,8 +39,7 @@ namespace ompl_mfa
             for (std::size_t i = 1; i < states.size(); ++i)
             {
                 data.addVertex(ob::PlannerDataVertex(states[i]));
-                if (checked)
-                    data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
+                data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
             }
         }
     }  // namespace
@@ -48,19 +47,19 @@ namespace ompl_mfa
     void MFA::getPlannerData(ob::PlannerData &data) const
     {
         Planner::getPlannerData(data);
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
-        // planner data point to states of the planner: these copies live until the next call
-        plannerDataPaths_.clear();
-        std::vector<bool> checked;
+        const SearchLock::Reader lock(lock_);
+        std::vector<Waypoints> paths;
         const auto addSwarm = [&](const Swarm &swarm, const WindowSwarm *window)
         {
             const FireflyOptimizer &fireflies = swarm.fireflies();
             Waypoints path(si_->getStateSpace());
             for (const unsigned int i : fireflies.order())
             {
+                // of the others nobody knows which states are valid
+                if (!fireflies.brightness(i).isFeasible())
+                    continue;
                 swarm.pathOf(i, path);
-                plannerDataPaths_.push_back(window != nullptr ? window->withWay(path) : path);
-                checked.push_back(fireflies.brightness(i).isFeasible());
+                paths.push_back(window != nullptr ? window->withWay(path) : path);
             }
         };
         for (const auto &swarm : swarms_)
@@ -68,19 +67,18 @@ namespace ompl_mfa
         if (window_)
             addSwarm(window_->swarm(), window_.get());
         if (incumbent_->hasPath())
-        {
-            plannerDataPaths_.push_back(incumbent_->path());
-            checked.push_back(true);
-        }
+            paths.push_back(incumbent_->path());
         States starts;
         States goals;
-        for (std::size_t i = 0; i < plannerDataPaths_.size(); ++i)
-            addPath(plannerDataPaths_[i], checked[i], starts, goals, data);
+        for (const Waypoints &path : paths)
+            addPath(path, starts, goals, data);
+        // the search goes on, and what it has now may be gone when the caller looks
+        data.decoupleFromPlanner();
     }
 
     std::vector<double> MFA::shares() const
     {
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        const SearchLock::Reader lock(lock_);
         const double sum = std::accumulate(spent_.begin(), spent_.end(), 0.0);
         std::vector<double> shares = spent_;
         for (double &share : shares)
@@ -90,7 +88,7 @@ namespace ompl_mfa
 
     std::vector<og::PathGeometric> MFA::getSwarmPaths() const
     {
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        const SearchLock::Reader lock(lock_);
         std::vector<og::PathGeometric> paths;
         if (activeSwarm_ == nullptr)
             return paths;
@@ -108,7 +106,7 @@ namespace ompl_mfa
 
     std::vector<og::PathGeometric> MFA::getSlicePaths() const
     {
-        const std::lock_guard<std::recursive_mutex> lock(mutex_);
+        const SearchLock::Reader lock(lock_);
         std::vector<og::PathGeometric> paths;
         if (activeSwarm_ == nullptr)
             return paths;

@@ -44,6 +44,8 @@ namespace ompl_mfa
                    "refines new paths: fewer vertices, shortcuts, pulls toward the chord, cut corners"},
             Whole{"seed", &MFASettings::seed, Numbers(0, 1, std::numeric_limits<std::uint32_t>::max()),
                   "fixes the random numbers, and lets no clock decide; 0: another run every time"},
+            Real{"state_check_time", &MFASettings::stateCheckTime, Reals(0.001, 0.001, 100000.0),
+                 "what a state check takes; a run with a seed, which looks at no clock, shares its time by it"},
             Whole{"threads", &MFASettings::threads, Numbers(1, 1, 64), "check states and motions, see above"}};
         return TABLE;
     }

@@ -141,7 +141,6 @@ namespace ompl_mfa
       , goals_(std::make_shared<KnownGoals>(si_, goal))
       , pdef_(std::make_shared<ob::ProblemDefinition>(si_))
       , planner_(allocator(si_))
-      , taken_(evaluator.objective()->infiniteCost())
     {
         if (!planner_)
             throw ompl::Exception("MFA", "the allocator of the guide planner returned no planner");
@@ -180,7 +179,8 @@ namespace ompl_mfa
             planner_->setup();
         const ob::PlannerStatus status = planner_->solve(turnOver);
         const std::uint64_t done = asked + *checked_;
-        evaluator_.addWork(done);
+        evaluator_.addWork(asked);
+        evaluator_.addChecks(*checked_);
         fruitless_ += done;
         returnedEarly_ = done < work && !evaluator_.stopped();
         return status;
@@ -191,7 +191,7 @@ namespace ompl_mfa
         planner_->clear();
         pdef_->clearSolutionPaths();
         fresh_ = true;
-        taken_ = evaluator_.objective()->infiniteCost();
+        taken_.reset();
     }
 
     bool PlannerGuide::advance(const Query &query, double /*bound*/, std::uint64_t work, Waypoints &path)
@@ -230,7 +230,7 @@ namespace ompl_mfa
         for (const ob::State *state : found->getStates())
             path.append(state);
         const ob::Cost cost = evaluator_.cost(path);
-        if (!evaluator_.objective()->isCostBetterThan(cost, taken_) || !holds(query, path))
+        if ((taken_ && !evaluator_.objective()->isCostBetterThan(cost, *taken_)) || !holds(query, path))
             return false;
         taken_ = cost;
         return true;

@@ -61,6 +61,18 @@ namespace ompl_mfa
             }
         }
 
+        TEST_P(Report, EveryVertexOfThePlannerDataIsValid)
+        {
+            for (const unsigned int calls : {300U, 3000U, 30000U})
+            {
+                planner_->solve(test::afterCalls(calls));
+                ob::PlannerData data(problem_->si);
+                planner_->getPlannerData(data);
+                for (unsigned int i = 0; i < data.numVertices(); ++i)
+                    EXPECT_TRUE(problem_->si->isValid(data.getVertex(i).getState())) << calls;
+            }
+        }
+
         TEST_P(Report, TheSolutionIsAWayThroughThePlannerData)
         {
             ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
@@ -83,16 +95,24 @@ namespace ompl_mfa
             EXPECT_EQ(seen.count(data_.getGoalIndex(0)), 1U);
         }
 
-        TEST_P(Report, PlannerDataOutlivesThePlannerOnceDecoupled)
+        TEST_P(Report, PlannerDataOwnsItsStates)
         {
             planner_->solve(test::afterCalls(3000));
             planner_->getPlannerData(data_);
-            data_.decoupleFromPlanner();
             const unsigned int vertices = data_.numVertices();
+            ASSERT_GT(vertices, 2U);
+            std::vector<ob::ScopedState<>> states;
+            for (unsigned int i = 0; i < vertices; ++i)
+                states.emplace_back(problem_->si->getStateSpace(), data_.getVertex(i).getState());
+            // neither another reader, nor the search, nor the end of the planner touches them
+            ob::PlannerData other(problem_->si);
+            planner_->getPlannerData(other);
+            planner_->solve(test::afterCalls(3000));
+            planner_->clear();
             planner_.reset();
             EXPECT_EQ(data_.numVertices(), vertices);
             for (unsigned int i = 0; i < vertices; ++i)
-                EXPECT_TRUE(problem_->si->satisfiesBounds(data_.getVertex(i).getState()));
+                EXPECT_TRUE(problem_->si->equalStates(data_.getVertex(i).getState(), states[i].get()));
         }
 
         TEST_P(Report, PlannerDataHoldsTheProgressProperties)

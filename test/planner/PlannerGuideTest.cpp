@@ -102,6 +102,22 @@ namespace ompl_mfa
             EXPECT_NE(mfa->solve(test::afterCalls(50000)), ob::PlannerStatus::EXACT_SOLUTION);
         }
 
+        TEST_F(GuidePlanner, WithOneTheSwarmIsNotThePapers)
+        {
+            // a hundred fireflies of offsets alone, twenty of smooth paths beside a guide, also in windows
+            problem_ = test::wallProblem();
+            const auto alone = problem_->planner(test::Engine::Paper);
+            const auto guided = planner(*problem_, make<og::RRTConnect>);
+            for (const auto &mfa : {alone, guided})
+            {
+                test::set(*mfa, "population_size", "0");
+                mfa->solve(test::afterCalls(60000));
+                problem_->pdef->clearSolutionPaths();
+            }
+            EXPECT_EQ(alone->getSwarmPaths().size(), 100U);
+            EXPECT_EQ(guided->getSwarmPaths().size(), 20U);
+        }
+
         TEST_F(GuidePlanner, WhatItSolvesIsSolved)
         {
             // one that ends, two that go on, one that starts over in each turn, one that has to be cleared for that

@@ -24,8 +24,9 @@ namespace ompl_mfa
         them than the answer needs.
 
         It counts its work in state checks, so that the work of the parts of a planner can be compared without a
-        clock. Not thread-safe; each thread has its own. With several threads of its own it checks states and motions
-        in parallel, and nothing else: its answers, its work and when it asks the stop condition are those of one. */
+        clock. A cost that is not a number is an ompl::Exception, whoever computed it. Not thread-safe; each thread has
+       its own. With several threads of its own it checks states and motions in parallel, and nothing else: its answers,
+       its work and when it asks the stop condition are those of one. */
     class PathEvaluator
     {
     public:
@@ -123,8 +124,8 @@ namespace ompl_mfa
 
         bool isBrighter(const Brightness &a, const Brightness &b) const;
 
-        /** \brief \e factor (at least 1) times \e cost where that is a worse cost, else \e cost: for objectives to be
-            maximised and for costs that are not positive no factor is a slack. */
+        /** \brief \e factor (at least 1) times \e cost where that is a worse cost and finite, else \e cost: for
+            objectives to be maximised and for costs that are not positive no factor is a slack. */
         double withSlack(double cost, double factor) const;
 
         /** \brief Called by evaluate for the first invalid motion of a path, with the path, the number of that motion
@@ -141,16 +142,35 @@ namespace ompl_mfa
             each motion, and what else was added. Unlike time it is the same in every run. */
         std::uint64_t work() const
         {
-            return work_;
+            return checks_ + bookkeeping_;
         }
 
-        /** \brief Counts work that is not a state check, as so many of them. */
+        /** \brief The part of work() that was states whose validity was asked for. */
+        std::uint64_t checks() const
+        {
+            return checks_;
+        }
+
+        /** \brief The part of work() that was none: distances, queues, neighbours. */
+        std::uint64_t bookkeeping() const
+        {
+            return bookkeeping_;
+        }
+
+        /** \brief Counts work that is not a state check, as so many of those that take 0.1 microseconds. */
         void addWork(std::uint64_t work)
         {
-            work_ += work;
+            bookkeeping_ += work;
+        }
+
+        /** \brief Counts state checks that were made by others. */
+        void addChecks(std::uint64_t states)
+        {
+            checks_ += states;
         }
 
     private:
+        ompl::base::Cost number(ompl::base::Cost cost, const char *what) const;
         bool checkNext(std::size_t i);
         bool checkAll();
         bool checkBetween(const Motion &motion);
@@ -172,7 +192,8 @@ namespace ompl_mfa
         std::vector<unsigned char> valid_;          ///< of motions_, as many as were checked, maybe ahead
         std::size_t checked_{0};
         ompl::base::State *scratch_;
-        std::uint64_t work_{0};
+        std::uint64_t checks_{0};
+        std::uint64_t bookkeeping_{0};
         std::uint64_t distances_{0};
         std::size_t lastInvalid_{0};
         bool interrupted_{false};

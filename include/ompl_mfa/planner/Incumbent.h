@@ -25,6 +25,14 @@ namespace ompl_mfa
             return !path_.empty();
         }
 
+        /** \brief Whether the best path has a finite cost: one that leads through what the objective forbids by the
+            worst of its costs is valid, but no reason to end or to slow down the search for a first path. */
+        bool hasFinitePath() const;
+
+        /** \brief What a path should beat: infinite (any path) while there is none; where the best path has no finite
+            cost the extreme finite number, which all finite costs beat; else cost(). */
+        double bound() const;
+
         const Waypoints &path() const
         {
             return path_;

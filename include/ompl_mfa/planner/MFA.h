@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,10 +20,13 @@
 #include "ompl_mfa/planner/Incumbent.h"
 #include "ompl_mfa/planner/MFASettings.h"
 #include "ompl_mfa/planner/PlannerGuide.h"
+#include "ompl_mfa/planner/PublishingSchedule.h"
 #include "ompl_mfa/planner/Query.h"
 #include "ompl_mfa/planner/RoadmapGuide.h"
+#include "ompl_mfa/planner/SearchLock.h"
 #include "ompl_mfa/planner/Swarm.h"
 #include "ompl_mfa/planner/TreeGuide.h"
+#include "ompl_mfa/planner/TurnMeter.h"
 #include "ompl_mfa/planner/TurnSharing.h"
 #include "ompl_mfa/planner/WindowSwarm.h"
 
@@ -56,6 +58,10 @@ namespace ompl_mfa
         void clearQuery() override;
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
         using ompl::base::Planner::solve;
+
+        /** \brief What the search knows to be valid: the roadmap, the trees, the valid fireflies and the best path. All
+            states that \e data then points to are copies of its own. May be called from other threads while solve()
+            runs: it waits for the check at hand. */
         void getPlannerData(ompl::base::PlannerData &data) const override;
 
         /** \name Parameters. What each means and accepts stands in mfaParameters(). A setter throws ompl::Exception
@@ -85,6 +91,8 @@ namespace ompl_mfa
         bool getTightening() const;
         void setSeed(std::uint32_t seed);
         std::uint32_t getSeed() const;
+        void setStateCheckTime(double microseconds);
+        double getStateCheckTime() const;
         void setThreads(unsigned int threads);
         unsigned int getThreads() const;
         /** @} */
@@ -131,16 +139,20 @@ namespace ompl_mfa
         template <typename T>
         void set(T MFASettings::*member, const T &value);
         FireflyOptimizer::Settings swarmSettings() const;
+        ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition &ptc);
         ompl::base::PlannerStatus::StatusType begin(const ompl::base::PlannerTerminationCondition &ptc);
         void prepareQuery();
         void prepareParts();
         void shareForFirstPath();
         void shareForImprovement();
         void forgetParts();
+        void forgetSearch();
         bool finished(const ompl::base::PlannerTerminationCondition &ptc);
         bool provenOptimal() const;
         bool boundsHold();
         void iterate(const ompl::base::PlannerTerminationCondition &ptc);
+        void takeNextTurn(const std::vector<bool> &available);
+        void updatePhase();
         std::vector<bool> availableParts() const;
         void takeTurn(Part part, std::uint64_t work);
         void tryStraightMotions();
@@ -164,6 +176,8 @@ namespace ompl_mfa
         void keepAlternative(const Waypoints &path, double cost);
         void offer(const Waypoints &path, double cost);
         void publish();
+        void publishIfDue();
+        bool isPublished() const;
         void offerPartial(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
         ompl::base::PlannerStatus report();
 
@@ -200,16 +214,19 @@ namespace ompl_mfa
         std::size_t triedStarts_{0};    ///< starts whose straight motions to all goals were tried
         std::size_t triedGoals_{0};     ///< goals whose straight motions from all starts were tried
         bool followedStraight_{false};  ///< whether the first straight motion has served as partial path
-        bool published_{false};         ///< whether this solve() has handed the best path to the problem definition
+        bool paper_{false};             ///< whether this search is the paper's algorithm and nothing else
+        bool improving_{false};         ///< whether the parts share the time as they do once there is a path
+        PublishingSchedule publishing_;
+        bool unpublished_{false};  ///< whether the best path is better than the last one that was published
+        ompl::base::PathPtr publishedPath_;
         std::uint64_t runSeed_{0};
         ompl::RNG rng_;
-        mutable std::vector<Waypoints> plannerDataPaths_;
 
         MFASettings settings_;  ///< as they were set, for the next query
         MFASettings search_;    ///< those of this query
         ompl::base::PlannerAllocator guidePlanner_;
 
-        mutable std::recursive_mutex mutex_;  ///< held while the search changes; its callbacks may ask for planner data
+        mutable SearchLock lock_;
         std::atomic<std::uint64_t> iterations_{0};
         std::atomic<std::uint64_t> evaluations_{0};
     };

@@ -23,6 +23,7 @@ namespace ompl_mfa
         bool recombination{true};
         bool tightening{true};
         unsigned int seed{0};
+        double stateCheckTime{0.1};
         unsigned int threads{1};
 
         bool usesTrees() const
@@ -33,6 +34,12 @@ namespace ompl_mfa
         bool usesRoadmap() const
         {
             return guide == "roadmap" || guide == "both";
+        }
+
+        /** \brief Whether fireflies search alone: the algorithm of the paper, as long as there is no guide planner. */
+        bool isPaper() const
+        {
+            return !usesTrees() && !usesRoadmap() && !recombination && !tightening;
         }
     };
 

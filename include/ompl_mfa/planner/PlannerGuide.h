@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include <ompl/base/Planner.h>
 #include <ompl/base/ProblemDefinition.h>
@@ -49,11 +50,11 @@ namespace ompl_mfa
         std::shared_ptr<ompl::base::GoalStates> goals_;
         ompl::base::ProblemDefinitionPtr pdef_;
         ompl::base::PlannerPtr planner_;
-        bool fresh_{true};              ///< whether it has had no turn since it began
-        bool returnedEarly_{false};     ///< from the last turn
-        std::uint64_t fruitless_{0};    ///< work since its last path
-        ompl::base::Cost taken_;        ///< of the best path of the planner since it began
-        std::size_t refusedStarts_{0};  ///< how many states there were when it refused the query
+        bool fresh_{true};                       ///< whether it has had no turn since it began
+        bool returnedEarly_{false};              ///< from the last turn
+        std::uint64_t fruitless_{0};             ///< work since its last path
+        std::optional<ompl::base::Cost> taken_;  ///< cost of the best path that was taken since it was last cleared
+        std::size_t refusedStarts_{0};           ///< how many states there were when it refused the query
         std::size_t refusedGoals_{0};
     };
 }  // namespace ompl_mfa

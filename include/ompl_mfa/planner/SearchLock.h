@@ -1,0 +1,78 @@
+#ifndef OMPL_MFA_PLANNER_SEARCH_LOCK_
+#define OMPL_MFA_PLANNER_SEARCH_LOCK_
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+
+namespace ompl_mfa
+{
+    /** \brief Lets other threads read the state of a search between two of its steps.
+
+        The searching thread holds the lock from the beginning of a Search to its end and calls letReadersIn() wherever
+        what readers look at is complete, as often as it likes: that costs one atomic read while nobody waits. A thread
+        that makes a Reader waits for the next such call, never for the end of the search. */
+    class SearchLock
+    {
+    public:
+        SearchLock() = default;
+        SearchLock(const SearchLock &) = delete;
+        SearchLock &operator=(const SearchLock &) = delete;
+
+        /** \brief The lock as the searching thread holds it. */
+        class Search
+        {
+        public:
+            explicit Search(SearchLock &lock);
+            ~Search();
+            Search(const Search &) = delete;
+            Search &operator=(const Search &) = delete;
+
+        private:
+            SearchLock &lock_;
+        };
+
+        /** \brief The lock as a thread holds it that reads. The searching thread itself, in code of the user's that
+            the search calls, reads without waiting. */
+        class Reader
+        {
+        public:
+            explicit Reader(SearchLock &lock);
+            ~Reader();
+            Reader(const Reader &) = delete;
+            Reader &operator=(const Reader &) = delete;
+
+        private:
+            SearchLock &lock_;
+            bool waits_;
+        };
+
+        /** \brief Releases the lock as long as it exists, for a call of code that may wait for a reader, or be one.
+            Made by the searching thread only. */
+        class Release
+        {
+        public:
+            explicit Release(SearchLock &lock);
+            ~Release();
+            Release(const Release &) = delete;
+            Release &operator=(const Release &) = delete;
+
+        private:
+            SearchLock &lock_;
+        };
+
+        /** \brief Waits until all threads that wait now have read. Does nothing in any thread but the searching one. */
+        void letReadersIn();
+
+    private:
+        std::mutex mutex_;
+        std::condition_variable served_;
+        std::atomic<std::uint64_t> arrivals_{0};                     ///< readers that ever came
+        std::uint64_t departures_{0};                                ///< readers that have read; guarded by mutex_
+        std::atomic<std::thread::id> searching_{std::thread::id()};  ///< that holds the lock now
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,131 @@
+/* What is handed to the problem definition and to the intermediate-solution callback, and how often. */
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ompl_mfa/planner/PublishingSchedule.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        TEST(PublishingSchedule, TheFirstPathAndNotableImprovementsAreDueAtOnce)
+        {
+            PublishingSchedule schedule;
+            EXPECT_TRUE(schedule.due(100.0, 5));
+            schedule.published(100.0, 1000);
+            EXPECT_TRUE(schedule.due(98.9, 1001));
+            EXPECT_FALSE(schedule.due(99.1, 1001));
+            EXPECT_FALSE(schedule.due(99.999999, 1049));
+            EXPECT_TRUE(schedule.due(99.999999, 1050));
+            schedule.reset();
+            EXPECT_TRUE(schedule.due(99.999999, 1));
+        }
+
+        TEST(PublishingSchedule, AFiniteCostAfterAnInfiniteOneIsDue)
+        {
+            PublishingSchedule schedule;
+            schedule.published(std::numeric_limits<double>::infinity(), 1000);
+            EXPECT_TRUE(schedule.due(5.0, 1001));
+        }
+
+        TEST(PublishingSchedule, TheirNumberIsBoundedByTheLogarithmOfTheWork)
+        {
+            // a cost that falls for ever, and one that falls to nothing
+            for (const double factor : {0.999999, 0.99, 0.5})
+            {
+                PublishingSchedule schedule;
+                double cost = 1e300;
+                unsigned int published = 0;
+                for (std::uint64_t work = 1000; work < 10000000; work += 10)
+                {
+                    cost *= factor;
+                    if (!schedule.due(cost, work))
+                        continue;
+                    schedule.published(cost, work);
+                    ++published;
+                }
+                EXPECT_LE(published, 1001 + std::log(10000.0) / std::log(1.05)) << factor;
+            }
+        }
+
+        class Publishing : public ::testing::TestWithParam<test::Engine>
+        {
+        protected:
+            std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
+            std::shared_ptr<MFA> planner_ = problem_->planner(GetParam());
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, Publishing, ::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                 test::EngineName());
+
+        TEST_P(Publishing, ALongSolveLeavesABoundedNumberOfSolutions)
+        {
+            // an objective without lower bounds: path length would end with the proof of its optimum
+            planner_->solve(test::afterCalls(400000));
+            EXPECT_LE(problem_->pdef->getSolutionCount(), 150U);
+        }
+
+        TEST_P(Publishing, TheLastSolutionIsThere)
+        {
+            for (unsigned int calls = 1000; calls < 60000; calls += 7001)
+            {
+                planner_->solve(test::afterCalls(calls));
+                if (problem_->pdef->hasExactSolution())
+                {
+                    EXPECT_EQ(problem_->reportedCost(), planner_->bestCost());
+                    EXPECT_DOUBLE_EQ(problem_->path().length(), planner_->bestCost());
+                }
+            }
+            EXPECT_TRUE(problem_->pdef->hasExactSolution());
+        }
+
+        TEST_P(Publishing, NoImprovementByAHundredthIsWithheld)
+        {
+            std::vector<double> costs;
+            problem_->pdef->setIntermediateSolutionCallback(
+                [&](const ob::Planner *, const std::vector<const ob::State *> &, const ob::Cost cost)
+                { costs.push_back(cost.value()); });
+            bool withheld = false;
+            unsigned int seen = 0;
+            planner_->solve(ob::PlannerTerminationCondition(
+                [&, ptc = test::afterCalls(30000)]
+                {
+                    const double best = planner_->bestCost();
+                    if (std::isfinite(best))
+                    {
+                        ++seen;
+                        withheld = withheld || costs.empty() || best < 0.99 * costs.back();
+                    }
+                    return ptc();
+                }));
+            EXPECT_GT(seen, 100U);
+            EXPECT_FALSE(withheld);
+            EXPECT_TRUE(std::is_sorted(costs.rbegin(), costs.rend()));
+        }
+
+        TEST_P(Publishing, SolvingAgainAddsNothingThatTheDefinitionHas)
+        {
+            planner_->solve(test::untilExact(problem_->pdef));
+            const double best = planner_->bestCost();
+            planner_->solve(test::afterCalls(1));
+            ASSERT_EQ(planner_->bestCost(), best);
+            const std::size_t solutions = problem_->pdef->getSolutionCount();
+            for (unsigned int i = 0; i < 20; ++i)
+                EXPECT_EQ(planner_->solve(test::afterCalls(1)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_EQ(problem_->pdef->getSolutionCount(), solutions);
+            // but where it was removed it is needed
+            problem_->pdef->clearSolutionPaths();
+            EXPECT_EQ(planner_->solve(test::afterCalls(1)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_EQ(problem_->pdef->getSolutionCount(), 1U);
+            EXPECT_EQ(problem_->reportedCost(), best);
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,58 @@
+#include "ompl_mfa/planner/TurnMeter.h"
+
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+
+#include "path/CountingProblem.h"
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        using namespace std::chrono_literals;
+
+        class TurnMeterTest : public ::testing::Test
+        {
+        protected:
+            test::CountingProblem problem_{test::realVectorSpace(2), [](const ob::State *)
+                                           {
+                                               std::this_thread::sleep_for(1ms);
+                                               return true;
+                                           }};
+            PathEvaluator evaluator_{problem_.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
+        };
+
+        TEST_F(TurnMeterTest, AClockSeesACheckerThatWaits)
+        {
+            const TurnMeter meter(evaluator_, 0.0);
+            ob::ScopedState<> state(problem_.si);
+            state = std::vector<double>{1.0, 2.0};
+            for (unsigned int i = 0; i < 20; ++i)
+                evaluator_.checkState(state.get());
+            EXPECT_GE(meter.spent(), 0.02);
+        }
+
+        TEST_F(TurnMeterTest, CountedWorkHasTheDeclaredPrice)
+        {
+            const TurnMeter meter(evaluator_, 3.0);
+            ob::ScopedState<> state(problem_.si);
+            state = std::vector<double>{1.0, 2.0};
+            EXPECT_GT(meter.spent(), 0.0);
+            EXPECT_LT(meter.spent(), 1e-5);
+            for (unsigned int i = 0; i < 4; ++i)
+                evaluator_.checkState(state.get());
+            EXPECT_NEAR(meter.spent(), 12.0, 1e-5);
+            evaluator_.addWork(1000000);
+            EXPECT_NEAR(meter.spent(), 12.1, 1e-5);
+            evaluator_.addChecks(2);
+            EXPECT_NEAR(meter.spent(), 18.1, 1e-5);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
