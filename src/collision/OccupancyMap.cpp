@@ -8,6 +8,7 @@
 #include <octomap/octomap.h>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 
 namespace ompl_mfa::collision
 {
@@ -128,14 +129,17 @@ namespace ompl_mfa::collision
                     header.bodyStart = static_cast<std::size_t>(stream.tellg());
                     return header;
                 }
-                const bool read = key == "id"     ? bool(words >> header.id)
-                                  : key == "size" ? bool(words >> header.nodes)
-                                  : key == "res"  ? bool(words >> header.resolution)
+                std::string value;
+                words >> value;
+                const bool read = key == "id"     ? !(header.id = value).empty()
+                                  : key == "size" ? readNumber(value, header.nodes)
+                                  : key == "res"  ? readNumber(value, header.resolution)
                                                   : key.empty() || key[0] == '#';
                 if (!read)
                 {
                     fail(file, number,
-                         "unknown OctoMap header '" + line.substr(0, 60) + "'; accepted are id, size, res, data");
+                         "unusable OctoMap header '" + line.substr(0, 60) +
+                             "'; accepted are id and a name, size and a whole number, res and a number, data");
                 }
             }
             fail(file, 1, "OctoMap header has no 'data' line");

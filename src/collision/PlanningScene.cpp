@@ -1,6 +1,5 @@
 #include "ompl_mfa/collision/PlanningScene.h"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -8,6 +7,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/collision/Primitive.h"
 #include "ompl_mfa/collision/TriangleMesh.h"
 
@@ -201,9 +202,7 @@ namespace ompl_mfa::collision
             {
                 checkKeys(node, "primitive", {"type", "dimensions", "polygon"});
                 const YAML::Node type = required(node, "type");
-                std::string name = type.IsScalar() ? type.Scalar() : "";
-                std::transform(name.begin(), name.end(), name.begin(),
-                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+                const std::string name = lowerCase(type.IsScalar() ? type.Scalar() : "");
                 const PrimitiveKind *kind = findPrimitiveKind(name);
                 if (kind == nullptr)
                 {
@@ -326,7 +325,7 @@ namespace ompl_mfa::collision
             double readNumber(const YAML::Node &node, const std::string &key) const
             {
                 double value = 0.;
-                if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
+                if (!node.IsScalar() || !ompl_mfa::readNumber(node.Scalar(), value) || !std::isfinite(value))
                 {
                     fail(node, key + (node.IsScalar() ? " = " + node.Scalar() : "") + ": must be a finite number");
                 }

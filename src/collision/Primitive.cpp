@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "PrimitiveShapes.h"
+#include "ompl_mfa/NumberText.h"
 
 namespace ompl_mfa::collision
 {
@@ -39,6 +40,7 @@ namespace ompl_mfa::collision
                                                            const std::vector<double> &dimensions)
     {
         std::ostringstream message;
+        message.imbue(std::locale::classic());
         if (dimensions.size() != kind.dimensions.size())
         {
             message << "a " << kind.name << " has " << kind.dimensions.size() << " dimensions (";
@@ -55,7 +57,7 @@ namespace ompl_mfa::collision
                 std::isfinite(dimensions[i]) && (dimensions[i] > 0. || (kind.mayVanish && dimensions[i] == 0.));
             if (!accepted)
             {
-                message << kind.name << ' ' << kind.dimensions[i] << " = " << dimensions[i] << ": must be "
+                message << kind.name << ' ' << kind.dimensions[i] << " = " << numberText(dimensions[i]) << ": must be "
                         << (kind.mayVanish ? "at least 0" : "greater than 0") << " and finite";
                 throw std::invalid_argument(message.str());
             }

@@ -1,11 +1,11 @@
 #include "ompl_mfa/collision/SceneLoader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <vector>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/collision/OccupancyMap.h"
 #include "ompl_mfa/collision/PlanningScene.h"
 #include "ompl_mfa/collision/TriangleMesh.h"
@@ -86,9 +86,7 @@ namespace ompl_mfa::collision
 
         const FileKind &kindOf(const std::filesystem::path &file)
         {
-            std::string extension = file.extension().string();
-            std::transform(extension.begin(), extension.end(), extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            const std::string extension = lowerCase(file.extension().string());
             for (const FileKind &kind : fileKinds())
             {
                 if (std::find(kind.extensions.begin(), kind.extensions.end(), extension) != kind.extensions.end())

@@ -8,6 +8,7 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
+#include "ompl_mfa/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/collision/Scene.h"
 
@@ -90,6 +91,8 @@ namespace ompl_mfa::collision
         // Throws where assimp reads nothing.
         const aiScene &readScene(Assimp::Importer &importer, const std::string &file)
         {
+            // Some of assimp's readers (AMF, X3D, 3MF) convert numbers with strtod().
+            const CLocaleScope plainNumbers;
             const aiScene *scene = importer.ReadFile(file, 0);
             if (scene != nullptr)
             {

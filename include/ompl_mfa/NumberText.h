@@ -1,0 +1,82 @@
+#ifndef OMPL_MFA_NUMBER_TEXT_
+#define OMPL_MFA_NUMBER_TEXT_
+
+#include <array>
+#include <charconv>
+#include <ios>
+#include <locale>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace ompl_mfa
+{
+    /** \brief Reads \e text, all of it, as a decimal number with a point, whatever the locale of the program is.
+
+        A leading `+` is accepted; blanks, digit groups and hexadecimal numbers are not. Infinity and NaN are numbers.
+        Returns false, and changes nothing, where the text is no number or does not fit into \e Number. */
+    template <typename Number>
+    bool readNumber(std::string_view text, Number &number)
+    {
+        if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+            text.remove_prefix(1);
+        Number read{};
+        const auto result = std::from_chars(text.data(), text.data() + text.size(), read);
+        if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+            return false;
+        number = read;
+        return true;
+    }
+
+    /** \brief The shortest text that readNumber() takes for the same number, in any locale. */
+    inline std::string numberText(double value)
+    {
+        std::array<char, 32> text;
+        return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+    }
+
+    /** \brief \e value with at most \e digits significant digits, from 1 to 17, as printf's %g writes it in the locale
+        "C". */
+    inline std::string numberText(double value, int digits)
+    {
+        std::array<char, 32> text;
+        const auto end =
+            std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+        return {text.data(), end.ptr};
+    }
+
+    /** \brief \e value with \e decimals digits behind the point, from 0 to 17, as printf's %f writes it in the locale
+        "C". */
+    inline std::string fixedText(double value, int decimals)
+    {
+        std::array<char, 352> text;
+        const auto end =
+            std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+        return {text.data(), end.ptr};
+    }
+
+    /** \brief For as long as it lives, a stream writes numbers as C++ itself does: with a point and no digit groups. */
+    class PlainNumbers
+    {
+    public:
+        explicit PlainNumbers(std::ios &stream)
+          : stream_(stream)
+          , before_(stream.imbue(std::locale::classic()))
+        {
+        }
+
+        ~PlainNumbers()
+        {
+            stream_.imbue(before_);
+        }
+
+        PlainNumbers(const PlainNumbers &) = delete;
+        PlainNumbers &operator=(const PlainNumbers &) = delete;
+
+    private:
+        std::ios &stream_;
+        std::locale before_;
+    };
+}  // namespace ompl_mfa
+
+#endif
