@@ -27,6 +27,16 @@ namespace ompl_mfa::collision
         }
     }
 
+    std::size_t RigidBody::skippedFaces() const
+    {
+        std::size_t faces = 0;
+        for (const Shape &shape : shapes_)
+        {
+            faces += shape.skippedFaces;
+        }
+        return faces;
+    }
+
     RigidBody RigidBody::sphere(double radius)
     {
         return RigidBody({{makePrimitive(*findPrimitiveKind("sphere"), {radius})}});

@@ -66,6 +66,16 @@ namespace ompl_mfa::collision
         return box;
     }
 
+    std::size_t Scene::skippedFaces() const
+    {
+        std::size_t faces = 0;
+        for (const CollisionObject &object : objects_)
+        {
+            faces += object.skippedFaces;
+        }
+        return faces;
+    }
+
     fcl::AABBd boundingBox(const fcl::CollisionGeometryd &geometry, const fcl::Transform3d &pose)
     {
         return visitShape(geometry,

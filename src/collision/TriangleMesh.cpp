@@ -1,13 +1,16 @@
 #include "ompl_mfa/collision/TriangleMesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
+#include "PlyHeader.h"
 #include "ompl_mfa/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/collision/Scene.h"
@@ -75,9 +78,11 @@ namespace ompl_mfa::collision
             }
         }
 
-        // Joining vertices takes one that is not a number for any other, so it has to be looked for before.
-        void requireFinite(const aiScene &scene, const std::string &file)
+        // Joining vertices takes one that is not a number for any other, and reads whatever vertex a face names. So
+        // both have to be looked at before.
+        void requireSound(const aiScene &scene, const std::string &file)
         {
+            std::size_t wild = 0;
             for (unsigned int i = 0; i < scene.mNumMeshes; ++i)
             {
                 const aiMesh &mesh = *scene.mMeshes[i];
@@ -85,52 +90,146 @@ namespace ompl_mfa::collision
                 {
                     requireFinite({mesh.mVertices[j].x, mesh.mVertices[j].y, mesh.mVertices[j].z}, file);
                 }
+                for (unsigned int j = 0; j < mesh.mNumFaces; ++j)
+                {
+                    const aiFace &face = mesh.mFaces[j];
+                    wild += std::any_of(face.mIndices, face.mIndices + face.mNumIndices,
+                                        [&mesh](unsigned int index) { return index >= mesh.mNumVertices; })
+                                ? 1
+                                : 0;
+                }
+            }
+            if (wild > 0)
+            {
+                throw InputError(file + ": mesh has " + std::to_string(wild) + (wild == 1 ? " face" : " faces") +
+                                 " with a vertex that does not exist");
             }
         }
 
-        // Throws where assimp reads nothing.
+        struct FaceCount
+        {
+            // A polygon of n corners is n - 2 triangles. A face without corners is one that assimp has lost.
+            std::size_t triangles{0};
+            std::size_t pointsAndLines{0};
+        };
+
+        // A mesh that several nodes place counts as often.
+        FaceCount countFaces(const aiScene &scene, const aiNode &node)
+        {
+            FaceCount count;
+            for (unsigned int i = 0; i < node.mNumMeshes; ++i)
+            {
+                const aiMesh &mesh = *scene.mMeshes[node.mMeshes[i]];
+                for (unsigned int j = 0; j < mesh.mNumFaces; ++j)
+                {
+                    const unsigned int corners = mesh.mFaces[j].mNumIndices;
+                    const bool flat = corners == 1 || corners == 2;
+                    count.pointsAndLines += flat ? 1 : 0;
+                    count.triangles += flat ? 0 : std::max(corners, 3U) - 2;
+                }
+            }
+            for (unsigned int i = 0; i < node.mNumChildren; ++i)
+            {
+                const FaceCount below = countFaces(scene, *node.mChildren[i]);
+                count.triangles += below.triangles;
+                count.pointsAndLines += below.pointsAndLines;
+            }
+            return count;
+        }
+
+        // The faces as they are in the file. Throws where assimp reads nothing.
         const aiScene &readScene(Assimp::Importer &importer, const std::string &file)
         {
             // Some of assimp's readers (AMF, X3D, 3MF) convert numbers with strtod().
             const CLocaleScope plainNumbers;
+            // Otherwise a file without geometry becomes a mesh of invented bones.
+            importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
             const aiScene *scene = importer.ReadFile(file, 0);
-            if (scene != nullptr)
+            if (scene == nullptr || scene->mRootNode == nullptr)
             {
-                requireFinite(*scene, file);
-                scene = importer.ApplyPostProcessing(aiProcess_GenNormals | aiProcess_Triangulate |
-                                                     aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                                                     aiProcess_OptimizeGraph);
+                throw InputError(file + ": not a readable mesh: " + importer.GetErrorString());
             }
+            if (scene->mNumMeshes == 0)
+            {
+                throw InputError(file + ": mesh has no triangles");
+            }
+            requireSound(*scene, file);
+            return *scene;
+        }
+
+        const aiScene &makeTriangles(Assimp::Importer &importer, const std::string &file)
+        {
+            const aiScene *scene = importer.ApplyPostProcessing(aiProcess_GenNormals | aiProcess_Triangulate |
+                                                                aiProcess_JoinIdenticalVertices |
+                                                                aiProcess_SortByPType | aiProcess_OptimizeGraph);
             if (scene == nullptr || scene->mRootNode == nullptr)
             {
                 throw InputError(file + ": not a readable mesh: " + importer.GetErrorString());
             }
             return *scene;
         }
+
+        // assimp keeps one triangle of each strip and drops the others without a word.
+        void refuseStrips(const std::filesystem::path &file)
+        {
+            const std::size_t strips = announcedTriangleStrips(file);
+            if (strips > 0)
+            {
+                throw InputError(file.string() + ": PLY holds " + std::to_string(strips) +
+                                 " triangle strips ('element tristrips'), which cannot be read; accepted are faces "
+                                 "('element face')");
+            }
+        }
+
+        void requireAll(const FaceCount &faces, const TriangleMesh &mesh, const std::string &file)
+        {
+            if (mesh.triangles.size() < faces.triangles)
+            {
+                throw InputError(file + ": " + std::to_string(faces.triangles - mesh.triangles.size()) + " of " +
+                                 std::to_string(faces.triangles) +
+                                 " triangles of the mesh are lost; accepted are faces that do not cross themselves");
+            }
+            if (mesh.triangles.empty())
+            {
+                throw InputError(file + ": mesh has no triangles");
+            }
+        }
     }  // namespace
 
-    TriangleMesh loadMesh(const std::filesystem::path &file)
+    TriangleMesh loadMesh(const std::filesystem::path &file, RootTransform root)
     {
         if (!std::filesystem::is_regular_file(file))
         {
             throw InputError(file.string() + ": mesh file not found");
         }
+        refuseStrips(file);
         Assimp::Importer importer;
-        const aiScene &scene = readScene(importer, file.string());
+        const aiScene &read = readScene(importer, file.string());
+        const FaceCount faces = countFaces(read, *read.mRootNode);
+        if (root == RootTransform::Reset)
+        {
+            // Before the nodes are merged.
+            read.mRootNode->mTransformation = aiMatrix4x4();
+        }
+        const aiScene &scene = makeTriangles(importer, file.string());
         TriangleMesh mesh;
         VertexSum all;
         appendNode(scene, *scene.mRootNode, aiMatrix4x4(), mesh, all);
-        if (mesh.triangles.empty())
-        {
-            throw InputError(file.string() + ": mesh has no triangles");
-        }
+        requireAll(faces, mesh, file.string());
         // A transform may be broken where no vertex is.
         for (const fcl::Vector3d &vertex : mesh.vertices)
         {
             requireFinite(vertex, file.string());
         }
         mesh.vertexMean = all.sum / static_cast<double>(all.count);
+        mesh.skippedFaces = faces.pointsAndLines;
         return mesh;
+    }
+
+    bool isMeshFile(const std::filesystem::path &file)
+    {
+        const std::string extension = file.extension().string();
+        return !extension.empty() && Assimp::Importer().IsExtensionSupported(extension);
     }
 
     std::shared_ptr<MeshGeometry> makeMeshGeometry(const TriangleMesh &mesh, const fcl::Vector3d &offset)

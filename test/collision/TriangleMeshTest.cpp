@@ -111,5 +111,102 @@ namespace ompl_mfa::collision
             expectInputError(load("far.stl", stl({0, 0, 1e35F, 1, 0, 0, 0, 1, 0})), "far.stl", "beyond 1e30");
             EXPECT_THROW(makeMeshGeometry(TriangleMesh()), std::invalid_argument);
         }
+
+        std::string ply(const std::string &element, const std::string &lists)
+        {
+            return "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n" +
+                   element + "\nproperty list int int vertex_indices\nend_header\n" +
+                   "0 0 -1\n0 1 -1\n1 0 -1\n1 1 -1\n2 0 -1\n2 1 -1\n" + lists;
+        }
+
+        // assimp makes one triangle of each strip and writes beyond its array where there are many.
+        TEST(TriangleMesh, RefusesTriangleStripsOfPly)
+        {
+            const TemporaryFolder folder;
+            std::string many;
+            for (int i = 0; i < 1000; ++i)
+            {
+                many += "4 0 1 2 3\n";
+            }
+            const auto expectFault = [&folder](const std::string &content, const std::string &count)
+            {
+                expectInputError([&] { loadMesh(folder.write("strip.ply", content)); }, "strip.ply",
+                                 count + " triangle strips", "faces");
+            };
+            expectFault(ply("element tristrips 1", "6 0 1 2 3 4 5\n"), "1");
+            expectFault(ply("element tristrips 1000", many), "1000");
+            expectFault(ply("element face 1\nproperty list int int vertex_index\nelement tristrips 1",
+                            "3 0 1 2\n6 0 1 2 3 4 5\n"),
+                        "1");
+            std::string windows = ply("element tristrips 1", "6 0 1 2 3 4 5\n");
+            for (std::size_t at = windows.find('\n'); at != std::string::npos; at = windows.find('\n', at + 2))
+            {
+                windows.insert(at, "\r");
+            }
+            expectFault(windows, "1");
+            EXPECT_EQ(
+                loadMesh(folder.write("quads.ply", ply("element face 2", "4 0 1 3 2\n4 2 3 5 4\n"))).triangles.size(),
+                4U);
+        }
+
+        TEST(TriangleMesh, RefusesFacesThatArePartlyLost)
+        {
+            const TemporaryFolder folder;
+            // assimp finds two triangles of the four that a hexagon has which crosses itself.
+            const std::string crossing =
+                "v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nv 1 1 0\nv 3 1 0\nv 0 0 1\nf 1 2 3 4 5 6\nf 1 2 7\n";
+            expectInputError([&] { loadMesh(folder.write("crossing.obj", crossing)); }, "crossing.obj",
+                             "2 of 5 triangles");
+            // An index beyond the vertices is no triangle at all.
+            expectInputError([&] { loadMesh(folder.write("wild.ply", ply("element face 2", "3 0 1 2\n3 0 1 70\n"))); },
+                             "wild.ply", "1 face", "vertex");
+            // Polygons of no area lose nothing.
+            const std::string flat = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\nv 0 1 0\nf 1 2 3 4 5\nf 1 2 6\n";
+            EXPECT_EQ(loadMesh(folder.write("flat.obj", flat)).triangles.size(), 4U);
+        }
+
+        TEST(TriangleMesh, RefusesFilesWithoutGeometry)
+        {
+            const TemporaryFolder folder;
+            const std::string nodes = R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+ <library_visual_scenes><visual_scene id="S"><node id="A"><node id="B"><translate>1 0 0</translate></node></node>
+ </visual_scene></library_visual_scenes>
+ <scene><instance_visual_scene url="#S"/></scene>
+</COLLADA>)";
+            expectInputError([&] { loadMesh(folder.write("nodes.dae", nodes)); }, "nodes.dae", "no triangles");
+            const std::string bones =
+                "HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 3 Xrotation Yrotation Zrotation\n"
+                " JOINT Chest\n {\n  OFFSET 0 5 0\n  CHANNELS 3 Xrotation Yrotation Zrotation\n"
+                "  End Site\n  {\n   OFFSET 0 5 0\n  }\n }\n}\n"
+                "MOTION\nFrames: 1\nFrame Time: 0.03\n0 0 0 0 0 0\n";
+            expectInputError([&] { loadMesh(folder.write("walk.bvh", bones)); }, "walk.bvh", "no triangles");
+        }
+
+        TEST(TriangleMesh, CountsThePointsAndLinesThatItLeavesOut)
+        {
+            const TemporaryFolder folder;
+            EXPECT_EQ(loadMesh(folder.write("cube.obj", cubeObj())).skippedFaces, 0U);
+            EXPECT_EQ(loadMesh(folder.write("one.dae", collada())).skippedFaces, 1U);
+            // A polyline of three points is two lines.
+            const std::string mixed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\np 1\np 2\nl 1 2 3\n";
+            const TriangleMesh mesh = loadMesh(folder.write("mixed.obj", mixed));
+            EXPECT_EQ(mesh.triangles.size(), 1U);
+            EXPECT_EQ(mesh.skippedFaces, 4U);
+        }
+
+        TEST(TriangleMesh, LeavesTheTransformOfTheRootOutWhereItIsAskedTo)
+        {
+            const TemporaryFolder folder;
+            // The nodes below the root still place the triangle: twice (10, 0, 0) and twice its corners.
+            const TriangleMesh mesh = loadMesh(folder.write("one.dae", collada()), RootTransform::Reset);
+            fcl::AABBd box;
+            for (int corner = 0; corner < 3; ++corner)
+            {
+                box += mesh.vertices[mesh.triangles[0][corner]];
+            }
+            EXPECT_TRUE(box.min_.isApprox(fcl::Vector3d(20., 0., 0.), 1e-6)) << box.min_.transpose();
+            EXPECT_TRUE(box.max_.isApprox(fcl::Vector3d(22., 2., 0.), 1e-6)) << box.max_.transpose();
+        }
     }  // namespace
 }  // namespace ompl_mfa::collision

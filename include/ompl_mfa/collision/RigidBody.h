@@ -19,6 +19,9 @@ namespace ompl_mfa::collision
         {
             std::shared_ptr<fcl::CollisionGeometryd> geometry;
             fcl::Transform3d pose{fcl::Transform3d::Identity()};
+
+            /** \brief How many points and lines its mesh file holds beside the triangles. They do not collide. */
+            std::size_t skippedFaces{0};
         };
 
         /** \throw std::invalid_argument where there is no shape, or a shape without geometry. */
@@ -36,6 +39,9 @@ namespace ompl_mfa::collision
         {
             return shapes_;
         }
+
+        /** \brief How many points and lines the mesh files of its shapes hold, which do not collide. */
+        std::size_t skippedFaces() const;
 
         /** \brief Radius of a ball about the reference point that holds the body: the smallest for spheres, boxes and
             meshes, otherwise that of the boxes around the shapes. */

@@ -25,6 +25,9 @@ namespace ompl_mfa::collision
 
         /** \brief From the frame of the shape to the world. */
         fcl::Transform3d pose{fcl::Transform3d::Identity()};
+
+        /** \brief How many points and lines its mesh file holds beside the triangles. They are no obstacle. */
+        std::size_t skippedFaces{0};
     };
 
     /** \brief The obstacles of a world: primitives, meshes and occupancy maps together. Nothing in it moves. */
@@ -44,6 +47,9 @@ namespace ompl_mfa::collision
         /** \brief The smallest axis-aligned box that holds every obstacle; min_ > max_ where there is none. Free and
             unknown space of an occupancy map does not count. */
         fcl::AABBd bounds() const;
+
+        /** \brief How many points and lines the mesh files of its obstacles hold, which are no obstacle. */
+        std::size_t skippedFaces() const;
 
     private:
         std::vector<CollisionObject> objects_;

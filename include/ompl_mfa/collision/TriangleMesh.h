@@ -23,13 +23,32 @@ namespace ompl_mfa::collision
         /** \brief Mean over all vertices that assimp leaves after its post-processing, those of lines and points
             included: what OMPL.app takes as the centre of a robot. */
         fcl::Vector3d vertexMean{fcl::Vector3d::Zero()};
+
+        /** \brief How many points and lines the file holds, which are left out, as OMPL.app does. */
+        std::size_t skippedFaces{0};
     };
 
-    /** \brief Read a mesh with assimp, by OMPL.app's conventions: every node transform is applied, the root's too,
-        and only triangles are kept.
-        \throw InputError naming the file, where it is missing or unreadable, has no triangle, or has a coordinate
-        that is not finite. */
-    TriangleMesh loadMesh(const std::filesystem::path &file);
+    /** \brief What becomes of the transform of a file's root node, where assimp puts the up axis and the unit that
+        Collada and other formats declare. */
+    enum class RootTransform
+    {
+        /** \brief OMPL.app's convention: it is applied, so that y is up and the unit is the metre. */
+        Applied,
+
+        /** \brief MoveIt's convention (`mesh_operations.cpp` of geometric_shapes): it is reset to identity, so that
+            coordinates stay as the file has them. */
+        Reset
+    };
+
+    /** \brief Read a mesh with assimp: the transforms of all nodes are applied, that of the root as `root` says, and
+        polygons are cut into triangles. Points and lines are left out and counted.
+        \throw InputError naming the file, where it is missing or unreadable, has no triangle, holds faces of which
+        assimp loses some (triangle strips of PLY, polygons that cross themselves), or has a coordinate that is not
+        finite. */
+    TriangleMesh loadMesh(const std::filesystem::path &file, RootTransform root = RootTransform::Applied);
+
+    /** \brief Whether assimp has a reader for the extension of this file's name. */
+    bool isMeshFile(const std::filesystem::path &file);
 
     /** \brief Build the hierarchy over a mesh, shifted by `offset`.
         \throw std::invalid_argument where the mesh has no triangle. */
