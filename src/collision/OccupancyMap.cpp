@@ -3,12 +3,14 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include <octomap/octomap.h>
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa::collision
 {
@@ -40,6 +42,12 @@ namespace ompl_mfa::collision
             std::size_t nodes() const
             {
                 return nodes_;
+            }
+
+            // Where the walk has come to in the content.
+            std::size_t position() const
+            {
+                return position_;
             }
 
         private:
@@ -145,6 +153,12 @@ namespace ompl_mfa::collision
             fail(file, 1, "OctoMap header has no 'data' line");
         }
 
+        // Coordinates reach to 2^15 cells from the origin.
+        bool isResolution(double value)
+        {
+            return value > 0. && value <= largestCoordinate / 32768.;
+        }
+
         void checkHeader(const Header &header, const std::filesystem::path &file)
         {
             // Old files call the same tree "1".
@@ -152,17 +166,17 @@ namespace ompl_mfa::collision
             {
                 fail(file, 1, "OctoMap holds a tree of type '" + header.id + "'; accepted is OcTree");
             }
-            if (!(header.resolution > 0.))
+            if (!isResolution(header.resolution))
             {
-                fail(file, 1, "OctoMap resolution 'res' must be greater than 0");
+                fail(file, 1, "OctoMap resolution 'res' must be greater than 0 and finite");
             }
         }
 
-        std::shared_ptr<octomap::OcTree> readTree(const std::string &content, const Header &header)
+        std::shared_ptr<octomap::OcTree> readTree(const std::string &nodes, bool binary, double resolution)
         {
-            auto tree = std::make_shared<octomap::OcTree>(header.resolution);
-            std::istringstream body(content.substr(header.bodyStart));
-            if (header.binary)
+            auto tree = std::make_shared<octomap::OcTree>(resolution);
+            std::istringstream body(nodes);
+            if (binary)
             {
                 tree->readBinaryData(body);
             }
@@ -183,6 +197,18 @@ namespace ompl_mfa::collision
                 }
             }
             return false;
+        }
+
+        // Null where no cell is occupied.
+        std::shared_ptr<fcl::OcTree<double>> makeGeometry(const std::shared_ptr<octomap::OcTree> &tree)
+        {
+            if (!hasOccupiedCell(*tree))
+            {
+                return nullptr;
+            }
+            auto map = std::make_shared<fcl::OcTree<double>>(std::shared_ptr<const octomap::OcTree>(tree));
+            map->computeLocalAABB();
+            return map;
         }
     }  // namespace
 
@@ -208,13 +234,32 @@ namespace ompl_mfa::collision
                              " nodes, its header says size " + std::to_string(header.nodes));
         }
         const std::shared_ptr<octomap::OcTree> tree =
-            header.nodes > 0 ? readTree(content, header) : std::make_shared<octomap::OcTree>(header.resolution);
-        if (!hasOccupiedCell(*tree))
+            header.nodes > 0 ? readTree(content.substr(header.bodyStart), header.binary, header.resolution)
+                             : std::make_shared<octomap::OcTree>(header.resolution);
+        auto map = makeGeometry(tree);
+        if (!map)
         {
             throw InputError(file.string() + ": OctoMap has no occupied cell");
         }
-        auto map = std::make_shared<fcl::OcTree<double>>(std::shared_ptr<const octomap::OcTree>(tree));
-        map->computeLocalAABB();
         return map;
+    }
+
+    std::shared_ptr<fcl::OcTree<double>> makeOccupancyMap(const std::string &nodes, bool binary, double resolution)
+    {
+        if (!isResolution(resolution))
+        {
+            throw std::invalid_argument("resolution must be greater than 0 and finite");
+        }
+        NodeWalk walk(nodes, 0, binary);
+        if (!nodes.empty() && !walk.walk())
+        {
+            throw std::invalid_argument("truncated or broken after " + std::to_string(walk.nodes()) + " nodes");
+        }
+        if (walk.position() != nodes.size())
+        {
+            throw std::invalid_argument("has " + std::to_string(nodes.size() - walk.position()) +
+                                        " bytes behind its last node");
+        }
+        return nodes.empty() ? nullptr : makeGeometry(readTree(nodes, binary, resolution));
     }
 }  // namespace ompl_mfa::collision

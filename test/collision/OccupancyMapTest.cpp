@@ -1,5 +1,8 @@
 #include "ompl_mfa/collision/OccupancyMap.h"
 
+#include <limits>
+#include <stdexcept>
+
 #include <octomap/ColorOcTree.h>
 #include <octomap/octomap.h>
 
@@ -105,6 +108,30 @@ namespace ompl_mfa::collision
             std::ostringstream freeSpace;
             empty.writeBinary(freeSpace);
             expectFault(freeSpace.str(), "no occupied cell");
+        }
+
+        TEST_F(OccupancyMapTest, MakesMapsOfTheNodesInMessages)
+        {
+            for (const bool binary : {true, false})
+            {
+                const std::string file = text(binary);
+                const std::string nodes = file.substr(file.find("data\n") + 5);
+                const auto map = makeOccupancyMap(nodes, binary, 0.5);
+                ASSERT_NE(map, nullptr);
+                const fcl::AABBd box = boundingBox(*map, fcl::Transform3d::Identity());
+                EXPECT_TRUE(box.max_.isApprox(fcl::Vector3d(4., 0.5, 0.5))) << box.max_.transpose();
+                EXPECT_THROW(makeOccupancyMap(nodes + "x", binary, 0.5), std::invalid_argument);
+                EXPECT_THROW(makeOccupancyMap(nodes.substr(1), binary, 0.5), std::invalid_argument);
+                EXPECT_THROW(makeOccupancyMap(nodes, binary, 0.), std::invalid_argument);
+                EXPECT_THROW(makeOccupancyMap(nodes, binary, std::numeric_limits<double>::infinity()),
+                             std::invalid_argument);
+            }
+            EXPECT_EQ(makeOccupancyMap("", true, 0.5), nullptr);
+        }
+
+        TEST_F(OccupancyMapTest, RefusesCellsOfWhichDistancesOverflow)
+        {
+            expectFault(replaced(text(true), "res 0.5", "res 1e200"), "res", "finite");
         }
     }  // namespace
 }  // namespace ompl_mfa::collision
