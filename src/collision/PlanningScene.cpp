@@ -1,393 +1,463 @@
 #include "ompl_mfa/collision/PlanningScene.h"
 
-#include <cmath>
-#include <set>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include <yaml-cpp/yaml.h>
-
+#include "MeshResource.h"
+#include "MoveItWorld.h"
+#include "SceneWarnings.h"
+#include "YamlFile.h"
+#include "YamlShapes.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/PlainText.h"
-#include "ompl_mfa/collision/Primitive.h"
-#include "ompl_mfa/collision/TriangleMesh.h"
+#include "ompl_mfa/collision/OccupancyMap.h"
+#include "ompl_mfa/collision/ResourceFolders.h"
 
 namespace ompl_mfa::collision
 {
     namespace
     {
-        using Names = std::set<std::string>;
+        // MoveIt's name of the occupancy map among the objects of a world.
+        const std::string octomapId = "<octomap>";
+
+        // In the order of their numbers in moveit_msgs/CollisionObject.
+        const std::vector<std::string> operations{"add", "remove", "append", "move"};
+
+        enum class Operation
+        {
+            Add,
+            Remove,
+            Append,
+            Move
+        };
 
         class SceneReader
         {
         public:
-            explicit SceneReader(std::filesystem::path file)
-              : file_(std::move(file))
+            SceneReader(const std::filesystem::path &file, const Folders &packageFolders)
+              : yaml_(file)
+              , folders_{yaml_.folder()}
             {
+                folders_.insert(folders_.end(), packageFolders.begin(), packageFolders.end());
+                const Folders named = resourceFolders();
+                folders_.insert(folders_.end(), named.begin(), named.end());
             }
 
             Scene read()
             {
-                const YAML::Node root = parse();
-                if (!root || root.IsNull())
-                {
-                    throw InputError(file_.string() + ": planning scene is empty; it needs world.collision_objects");
-                }
-                // The fields of moveit_msgs/PlanningScene that say nothing about obstacles are passed over.
-                checkKeys(root, "planning scene",
-                          {"world", "name", "robot_state", "robot_model_name", "fixed_frame_transforms",
-                           "allowed_collision_matrix", "link_padding", "link_scale", "object_colors", "is_diff"});
-                const YAML::Node world = required(root, "world");
-                checkKeys(world, "world", {"collision_objects", "octomap"});
-                const YAML::Node objects = required(world, "collision_objects");
-                requireSequence(objects, "collision_objects");
-                for (const YAML::Node &object : objects)
+                const YAML::Node root = yaml_.message();
+                yaml_.checkKeys(root, "planning scene",
+                                {"world", "name", "robot_state", "robot_model_name", "fixed_frame_transforms",
+                                 "allowed_collision_matrix", "link_padding", "link_scale", "object_colors", "is_diff"});
+                refuseRobot(root);
+                readFixedFrames(root);
+                const YAML::Node world = yaml_.required(root, "world");
+                yaml_.checkKeys(world, "world", {"collision_objects", "octomap"});
+                for (const YAML::Node &object : yaml_.list(world, "collision_objects"))
                 {
                     readObject(object);
                 }
-                if (scene_.objects().empty())
+                if (YamlFile::has(world, "octomap"))
                 {
-                    fail(objects, "collision_objects: the world has no obstacle; at least one is needed");
+                    readOctomap(world["octomap"]);
                 }
-                return std::move(scene_);
+                Scene scene = world_.scene();
+                if (scene.objects().empty())
+                {
+                    yaml_.fail(world,
+                               "the world has no obstacle; at least one in collision_objects or octomap is "
+                               "needed");
+                }
+                return scene;
             }
 
         private:
-            YAML::Node parse() const
+            // A robot is one rigid body here. What belongs to the links of an arm has no place, and would be missing.
+            void refuseRobot(const YAML::Node &root) const
             {
-                try
+                if (YamlFile::has(root, "robot_state"))
                 {
-                    return YAML::LoadFile(file_.string());
+                    const YAML::Node state = root["robot_state"];
+                    yaml_.checkKeys(state, "robot_state",
+                                    {"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
+                    refuseAttached(yaml_.list(state, "attached_collision_objects"));
                 }
-                catch (const YAML::BadFile &)
+                refuseLinks(root, "link_padding", "padding", 0.);
+                refuseLinks(root, "link_scale", "scale", 1.);
+                if (lowerCase(yaml_.text(root, "is_diff")) == "true")
                 {
-                    throw InputError(file_.string() + ": planning scene not found or not readable");
-                }
-                catch (const YAML::ParserException &error)
-                {
-                    throw InputError(place(error.mark) + ": malformed YAML: " + error.msg);
-                }
-            }
-
-            std::string place(const YAML::Mark &mark) const
-            {
-                return file_.string() + (mark.is_null() ? "" : ":" + std::to_string(mark.line + 1));
-            }
-
-            [[noreturn]] void fail(const YAML::Node &node, const std::string &fault) const
-            {
-                throw InputError(place(node.Mark()) + ": " + fault);
-            }
-
-            void requireMap(const YAML::Node &node, const std::string &key) const
-            {
-                if (!node.IsMap())
-                {
-                    fail(node, key + " must be a map of keys and values");
+                    warnOfScene(yaml_.place(root["is_diff"]) +
+                                ": is_diff = true: the scene that this is a difference "
+                                "to is not in the file; its own obstacles are read "
+                                "alone");
                 }
             }
 
-            void requireSequence(const YAML::Node &node, const std::string &key) const
+            void refuseAttached(const YAML::Node &attached) const
             {
-                if (!node.IsSequence())
+                for (const YAML::Node &body : attached)
                 {
-                    fail(node, key + " must be a list");
+                    yaml_.checkKeys(body, "attached_collision_objects",
+                                    {"link_name", "object", "touch_links", "detach_posture", "weight"});
+                    const std::string id =
+                        body["object"] && body["object"].IsMap() ? yaml_.text(body["object"], "id") : std::string();
+                    yaml_.fail(body, "attached_collision_objects: '" + id + "' is attached to the link '" +
+                                         yaml_.text(body, "link_name") +
+                                         "', and links are not read; accepted is an empty list");
                 }
             }
 
-            void checkKeys(const YAML::Node &map, const std::string &what, const Names &accepted) const
+            // `neutral` is the value that changes nothing.
+            void refuseLinks(const YAML::Node &root, const std::string &key, const std::string &property,
+                             double neutral) const
             {
-                requireMap(map, what);
-                Names seen;
-                for (const auto &entry : map)
+                for (const YAML::Node &link : yaml_.list(root, key))
                 {
-                    const std::string key = entry.first.as<std::string>("");
-                    if (accepted.count(key) == 0)
+                    yaml_.checkKeys(link, key, {"link_name", property});
+                    const YAML::Node value = yaml_.required(link, property);
+                    if (yaml_.number(value, property) != neutral)
                     {
-                        fail(entry.first, what + " has an unknown key '" + key + "'; accepted are " + list(accepted));
-                    }
-                    if (!seen.insert(key).second)
-                    {
-                        fail(entry.first, what + " has the key '" + key + "' twice");
+                        yaml_.fail(value, key + ": " + property + " of the link '" + yaml_.text(link, "link_name") +
+                                              "' = " + value.Scalar() + ", and links are not read; accepted is " +
+                                              numberText(neutral));
                     }
                 }
             }
 
-            static std::string list(const Names &names)
+            void readFixedFrames(const YAML::Node &root)
             {
-                std::string text;
-                for (const std::string &name : names)
+                std::vector<FixedTransform> transforms;
+                for (const YAML::Node &node : yaml_.list(root, "fixed_frame_transforms"))
                 {
-                    text += (text.empty() ? "" : ", ") + name;
-                }
-                return text;
-            }
-
-            YAML::Node required(const YAML::Node &map, const std::string &key) const
-            {
-                const YAML::Node value = map[key];
-                if (!value || value.IsNull())
-                {
-                    fail(map, "key '" + key + "' is missing or empty");
-                }
-                return value;
-            }
-
-            void readObject(const YAML::Node &object)
-            {
-                checkKeys(object, "collision object",
-                          {"id", "header", "type", "pose", "operation", "primitives", "primitive_poses", "meshes",
-                           "mesh_poses", "planes", "plane_poses", "subframe_names", "subframe_poses"});
-                const YAML::Node id = required(object, "id");
-                if (!id.IsScalar())
-                {
-                    fail(id, "id must be a name");
-                }
-                refuseUnsupported(object);
-                const fcl::Transform3d pose = object["pose"] ? readPose(object["pose"]) : fcl::Transform3d::Identity();
-                const std::size_t before = scene_.objects().size();
-                readShapes(object, "primitives", "primitive_poses", pose,
-                           [this](const YAML::Node &node) { return readPrimitive(node); });
-                readShapes(object, "meshes", "mesh_poses", pose,
-                           [this](const YAML::Node &node) { return readMesh(node); });
-                if (scene_.objects().size() == before)
-                {
-                    fail(object, "object '" + id.Scalar() + "' has no primitives and no meshes");
-                }
-            }
-
-            void refuseUnsupported(const YAML::Node &object) const
-            {
-                const YAML::Node planes = object["planes"];
-                if (planes && planes.size() > 0)
-                {
-                    fail(planes, "planes are not supported; accepted are primitives and meshes");
-                }
-                const YAML::Node operation = object["operation"];
-                if (operation && operation.as<std::string>("") != "0" && operation.as<std::string>("") != "add")
-                {
-                    fail(operation, "operation = " + operation.as<std::string>("?") + ": must be 0 or 'add'");
-                }
-            }
-
-            template <typename ReadShape>
-            void readShapes(const YAML::Node &object, const std::string &shapesKey, const std::string &posesKey,
-                            const fcl::Transform3d &objectPose, const ReadShape &readShape)
-            {
-                const YAML::Node shapes = object[shapesKey];
-                const YAML::Node poses = object[posesKey];
-                const std::size_t count = shapes && !shapes.IsNull() ? shapes.size() : 0;
-                if (count > 0)
-                {
-                    requireSequence(shapes, shapesKey);
-                }
-                if (poses && !poses.IsNull())
-                {
-                    requireSequence(poses, posesKey);
-                    if (poses.size() != count)
+                    yaml_.checkKeys(node, "fixed_frame_transforms", {"header", "child_frame_id", "transform"});
+                    FixedTransform transform;
+                    transform.place = yaml_.place(node);
+                    transform.parent = frameName(node);
+                    transform.child = withoutSlash(yaml_.text(node, "child_frame_id"));
+                    if (transform.child.empty())
                     {
-                        fail(poses, posesKey + " has " + std::to_string(poses.size()) + " entries for " +
-                                        std::to_string(count) + " " + shapesKey);
+                        yaml_.fail(node, "key 'child_frame_id' is missing or empty");
                     }
+                    transform.pose =
+                        readTransform(yaml_.required(node, "transform"), "transform", "translation", "rotation");
+                    unset_.warn(transform.place + ": fixed_frame_transforms: '" + transform.child + "'");
+                    transforms.push_back(std::move(transform));
                 }
-                for (std::size_t i = 0; i < count; ++i)
+                frames_ = FixedFrames(transforms);
+            }
+
+            // The frame that the header of a message names; empty where none is named.
+            std::string frameName(const YAML::Node &message) const
+            {
+                if (!YamlFile::has(message, "header"))
                 {
-                    const fcl::Transform3d pose =
-                        poses && !poses.IsNull() ? fcl::Transform3d(objectPose * readPose(poses[i])) : objectPose;
-                    scene_.add({object["id"].Scalar(), readShape(shapes[i]), pose});
+                    return "";
+                }
+                yaml_.checkKeys(message["header"], "header", {"seq", "stamp", "frame_id"});
+                return withoutSlash(yaml_.text(message["header"], "frame_id"));
+            }
+
+            fcl::Transform3d findFrame(const YAML::Node &message, const std::string &owner) const
+            {
+                const std::string name = frameName(message);
+                if (const auto fixed = frames_.find(name))
+                {
+                    return *fixed;
+                }
+                if (const auto onObject = world_.findFrame(name))
+                {
+                    return *onObject;
+                }
+                yaml_.fail(message["header"]["frame_id"],
+                           owner + ": the frame '" + name + "' is not known; accepted are objects before this one, " +
+                               frames_.names() + ", and what fixed_frame_transforms place");
+            }
+
+            // A map that was never filled has no data.
+            void readOctomap(const YAML::Node &octomap)
+            {
+                yaml_.checkKeys(octomap, "octomap", {"header", "origin", "octomap"});
+                if (!YamlFile::has(octomap, "octomap"))
+                {
+                    return;
+                }
+                const YAML::Node map = octomap["octomap"];
+                yaml_.checkKeys(map, "octomap.octomap", {"header", "binary", "id", "resolution", "data"});
+                const std::string nodes = readBytes(yaml_.list(map, "data", "octomap.data"));
+                if (nodes.empty())
+                {
+                    return;
+                }
+                const auto geometry = makeOctomap(map, nodes);
+                // MoveIt reads the outer header.
+                fcl::Transform3d pose = findFrame(frameName(octomap).empty() ? map : octomap, "octomap");
+                if (YamlFile::has(octomap, "origin"))
+                {
+                    pose = pose * readPose(octomap["origin"]);
+                }
+                unset_.warn(yaml_.place(octomap) + ": octomap");
+                // Free space is no obstacle.
+                if (geometry)
+                {
+                    world_.add({octomapId, pose, {{geometry}}, {}});
                 }
             }
 
-            std::shared_ptr<fcl::CollisionGeometryd> readPrimitive(const YAML::Node &node) const
+            std::shared_ptr<fcl::CollisionGeometryd> makeOctomap(const YAML::Node &map, const std::string &nodes) const
             {
-                checkKeys(node, "primitive", {"type", "dimensions", "polygon"});
-                const YAML::Node type = required(node, "type");
-                const std::string name = lowerCase(type.IsScalar() ? type.Scalar() : "");
-                const PrimitiveKind *kind = findPrimitiveKind(name);
-                if (kind == nullptr)
+                const std::string type = yaml_.text(map, "id");
+                if (type != "OcTree")
                 {
-                    std::string accepted;
-                    for (const PrimitiveKind &known : primitiveKinds())
-                    {
-                        accepted += (accepted.empty() ? "" : ", ") + std::string(known.name);
-                    }
-                    fail(type, "unknown primitive type '" + name + "'; accepted are " + accepted);
+                    yaml_.fail(map["id"] ? map["id"] : map,
+                               "octomap.id = '" + type + "' is another kind of tree; accepted is OcTree");
                 }
-                const YAML::Node dimensions = required(node, "dimensions");
-                requireSequence(dimensions, "dimensions");
-                std::vector<double> values;
-                for (const YAML::Node &dimension : dimensions)
+                const std::string binary = lowerCase(yaml_.text(map, "binary"));
+                if (binary != "true" && binary != "false")
                 {
-                    values.push_back(readNumber(dimension, "dimensions"));
+                    yaml_.fail(map["binary"] ? map["binary"] : map, "octomap.binary must be true or false");
+                }
+                const YAML::Node resolution = yaml_.required(map, "resolution");
+                const double edge = yaml_.number(resolution, "octomap.resolution");
+                if (edge <= 0.)
+                {
+                    yaml_.fail(resolution, "octomap.resolution = " + resolution.Scalar() + ": must be greater than 0");
                 }
                 try
                 {
-                    return makePrimitive(*kind, values);
+                    return makeOccupancyMap(nodes, binary == "true", edge);
                 }
                 catch (const std::invalid_argument &error)
                 {
-                    fail(dimensions, std::string("dimensions: ") + error.what());
+                    yaml_.fail(map["data"], std::string("octomap.data: ") + error.what());
                 }
             }
 
-            std::shared_ptr<fcl::CollisionGeometryd> readMesh(const YAML::Node &node) const
+            // Bytes as numbers, signed or not.
+            std::string readBytes(const YAML::Node &list) const
             {
-                checkKeys(node, "mesh", {"resource", "scale", "vertices", "triangles"});
-                TriangleMesh mesh = node["resource"] ? readMeshFile(node) : readInlineMesh(node);
-                if (node["scale"])
+                std::string bytes;
+                bytes.reserve(list.size());
+                for (const YAML::Node &node : list)
                 {
-                    const fcl::Vector3d scale = readScale(node["scale"]);
-                    for (fcl::Vector3d &vertex : mesh.vertices)
+                    int value = 0;
+                    if (!node.IsScalar() || !readNumber(node.Scalar(), value) || value < -128 || value > 255)
                     {
-                        vertex = vertex.cwiseProduct(scale);
+                        const std::string text = node.IsScalar() ? node.Scalar() : "";
+                        yaml_.fail(node, "octomap.data = " + text + ": must be whole numbers from -128 to 127" +
+                                             (text == "..." ? "; the printer cut the list (ros2 topic echo does not "
+                                                              "with --full-length)"
+                                                            : ""));
+                    }
+                    bytes += static_cast<char>(static_cast<unsigned char>(value));
+                }
+                return bytes;
+            }
+
+            void readObject(const YAML::Node &node)
+            {
+                yaml_.checkKeys(node, "collision object",
+                                {"id", "header", "type", "pose", "operation", "primitives", "primitive_poses", "meshes",
+                                 "mesh_poses", "planes", "plane_poses", "subframe_names", "subframe_poses"});
+                if (!node["id"] || node["id"].IsNull())
+                {
+                    yaml_.fail(node, "key 'id' is missing or empty");
+                }
+                const std::string id = yaml_.text(node, "id");
+                if (id == octomapId)
+                {
+                    yaml_.fail(node["id"], "id = " + id + " is MoveIt's name of the occupancy map");
+                }
+                const Operation operation = readOperation(node);
+                if (operation == Operation::Add || operation == Operation::Append)
+                {
+                    const MoveItWorld::Object object = readShapesOf(node, id);
+                    put(node, object, operation);
+                }
+                else
+                {
+                    change(node, id, operation);
+                }
+                unset_.warn(yaml_.place(node) + ": object '" + id + "'");
+            }
+
+            // By number or name. A byte, which the message has, is printed as text by some.
+            Operation readOperation(const YAML::Node &node) const
+            {
+                if (!YamlFile::has(node, "operation"))
+                {
+                    return Operation::Add;
+                }
+                const std::string text = lowerCase(yaml_.text(node, "operation"));
+                for (std::size_t i = 0; i < operations.size(); ++i)
+                {
+                    if (text == operations[i] || text == std::to_string(i) ||
+                        text == std::string(1, static_cast<char>(i)))
+                    {
+                        return static_cast<Operation>(i);
                     }
                 }
-                return makeMeshGeometry(mesh);
+                yaml_.fail(node["operation"],
+                           "operation = " + text + ": must be 0 or 'add', 1 or 'remove', 2 or 'append', 3 or 'move'");
             }
 
-            TriangleMesh readMeshFile(const YAML::Node &node) const
+            void put(const YAML::Node &node, const MoveItWorld::Object &object, Operation operation)
             {
-                const YAML::Node resource = node["resource"];
-                if (!resource.IsScalar() || node["vertices"] || node["triangles"])
+                if (operation == Operation::Append)
                 {
-                    fail(resource, "a mesh is either a 'resource' (a file name) or 'vertices' and 'triangles'");
+                    world_.append(object);
                 }
-                std::string name = resource.Scalar();
-                const std::string scheme = "file://";
-                if (name.compare(0, scheme.size(), scheme) == 0)
+                else if (world_.add(object))
                 {
-                    name = name.substr(scheme.size());
-                }
-                try
-                {
-                    return loadMesh(file_.parent_path() / name);
-                }
-                catch (const InputError &error)
-                {
-                    fail(resource, std::string("resource: ") + error.what());
+                    warnOfScene(yaml_.place(node) + ": object '" + object.id +
+                                "' takes the place of the one of this name before it, as in MoveIt; 'append' would "
+                                "keep both");
                 }
             }
 
-            TriangleMesh readInlineMesh(const YAML::Node &node) const
+            void change(const YAML::Node &node, const std::string &id, Operation operation)
             {
-                const YAML::Node vertices = required(node, "vertices");
-                const YAML::Node triangles = required(node, "triangles");
-                requireSequence(vertices, "vertices");
-                requireSequence(triangles, "triangles");
-                TriangleMesh mesh;
-                for (const YAML::Node &vertex : vertices)
+                const bool present = operation == Operation::Remove
+                                         ? world_.remove(id)
+                                         : world_.move(id, findFrame(node, "object '" + id + "'") * readPoseOf(node));
+                if (!present)
                 {
-                    mesh.vertices.push_back(readVector<3>(vertex, "vertices", {"x", "y", "z"}));
+                    const auto number = static_cast<std::size_t>(operation);
+                    yaml_.fail(node["operation"], "operation = " + std::to_string(number) + " ('" + operations[number] +
+                                                      "'): there is no object '" + id + "' before it");
                 }
-                for (const YAML::Node &triangle : triangles)
-                {
-                    mesh.triangles.push_back(readTriangle(triangle, mesh.vertices.size()));
-                }
-                if (mesh.triangles.empty())
-                {
-                    fail(triangles, "triangles: the mesh has no triangles");
-                }
-                return mesh;
             }
 
-            fcl::Triangle readTriangle(const YAML::Node &node, std::size_t vertexCount) const
+            MoveItWorld::Object readShapesOf(const YAML::Node &node, const std::string &id)
             {
-                const YAML::Node indices = node.IsMap() ? required(node, "vertex_indices") : node;
-                if (!indices.IsSequence() || indices.size() != 3)
+                if (yaml_.list(node, "planes").size() > 0)
                 {
-                    fail(node, "triangles: a triangle has 3 vertex indices");
+                    yaml_.fail(node["planes"], "planes are not supported; accepted are primitives and meshes");
                 }
-                std::array<std::size_t, 3> index{};
-                for (std::size_t i = 0; i < 3; ++i)
+                if (yaml_.list(node, "plane_poses").size() > 0)
                 {
-                    const double value = readNumber(indices[i], "triangles");
-                    if (value < 0. || value >= static_cast<double>(vertexCount) || value != std::floor(value))
+                    yaml_.fail(node["plane_poses"], "plane_poses has entries, but there are no planes");
+                }
+                MoveItWorld::Object object;
+                object.id = id;
+                object.pose = readPoseOf(node);
+                readShapes(node, "primitives", "primitive_poses", object,
+                           [this](const YAML::Node &shape) { return MoveItWorld::Shape{readPrimitive(yaml_, shape)}; });
+                readShapes(node, "meshes", "mesh_poses", object,
+                           [this](const YAML::Node &shape)
+                           {
+                               const TriangleMesh mesh = readMesh(yaml_, shape, folders_);
+                               return MoveItWorld::Shape{makeMeshGeometry(mesh), fcl::Transform3d::Identity(),
+                                                         mesh.skippedFaces};
+                           });
+                if (object.shapes.empty())
+                {
+                    yaml_.fail(node, "object '" + id + "' has no primitives and no meshes");
+                }
+                if (object.shapes.size() == 1 && object.pose.matrix().isIdentity(0.))
+                {
+                    // So does MoveIt, and others may stand in the frame of the object.
+                    std::swap(object.pose, object.shapes.front().pose);
+                }
+                object.pose = findFrame(node, "object '" + id + "'") * object.pose;
+                readSubframes(node, object);
+                return object;
+            }
+
+            template <typename ReadShape>
+            void readShapes(const YAML::Node &node, const std::string &shapesKey, const std::string &posesKey,
+                            MoveItWorld::Object &object, const ReadShape &readShape)
+            {
+                const YAML::Node shapes = yaml_.list(node, shapesKey);
+                const YAML::Node poses = yaml_.list(node, posesKey);
+                if (poses.size() > 0 && poses.size() != shapes.size())
+                {
+                    yaml_.fail(poses, posesKey + " has " + std::to_string(poses.size()) + " entries for " +
+                                          std::to_string(shapes.size()) + " " + shapesKey);
+                }
+                if (poses.size() == 0 && shapes.size() > 0 && YamlFile::has(node, posesKey))
+                {
+                    unset_.add(posesKey + " ([])");
+                }
+                for (std::size_t i = 0; i < shapes.size(); ++i)
+                {
+                    MoveItWorld::Shape shape = readShape(shapes[i]);
+                    if (poses.size() > 0)
                     {
-                        fail(indices[i], "triangles: vertex index " + indices[i].Scalar() +
-                                             " must be a whole number below " + std::to_string(vertexCount));
+                        shape.pose = readPose(poses[i]);
                     }
-                    index[i] = static_cast<std::size_t>(value);
+                    object.shapes.push_back(std::move(shape));
                 }
-                return {index[0], index[1], index[2]};
             }
 
-            fcl::Vector3d readScale(const YAML::Node &node) const
+            void readSubframes(const YAML::Node &node, MoveItWorld::Object &object)
             {
-                fcl::Vector3d scale = node.IsScalar() ? fcl::Vector3d::Constant(readNumber(node, "scale"))
-                                                      : readVector<3>(node, "scale", {"x", "y", "z"});
-                if (scale.minCoeff() <= 0.)
+                const YAML::Node names = yaml_.list(node, "subframe_names");
+                const YAML::Node poses = yaml_.list(node, "subframe_poses");
+                if (names.size() != poses.size())
                 {
-                    fail(node, "scale must be greater than 0");
+                    yaml_.fail(names.size() > 0 ? names : poses, "subframe_names has " + std::to_string(names.size()) +
+                                                                     " entries and subframe_poses " +
+                                                                     std::to_string(poses.size()));
                 }
-                return scale;
+                for (std::size_t i = 0; i < names.size(); ++i)
+                {
+                    if (!names[i].IsScalar())
+                    {
+                        yaml_.fail(names[i], "subframe_names must be names");
+                    }
+                    object.subframes[names[i].Scalar()] = readPose(poses[i]);
+                }
             }
 
-            double readNumber(const YAML::Node &node, const std::string &key) const
+            fcl::Transform3d readPoseOf(const YAML::Node &node)
             {
-                double value = 0.;
-                if (!node.IsScalar() || !ompl_mfa::readNumber(node.Scalar(), value) || !std::isfinite(value))
-                {
-                    fail(node, key + (node.IsScalar() ? " = " + node.Scalar() : "") + ": must be a finite number");
-                }
-                if (std::abs(value) > largestCoordinate)
-                {
-                    fail(node, key + " = " + node.Scalar() + ": must not exceed 1e30, of which distances overflow");
-                }
-                return value;
+                return YamlFile::has(node, "pose") ? readPose(node["pose"]) : fcl::Transform3d::Identity();
             }
 
-            // As a list, or as a map of the components.
-            template <int Size>
-            Eigen::Matrix<double, Size, 1> readVector(const YAML::Node &node, const std::string &key,
-                                                      const std::array<const char *, Size> &names) const
+            fcl::Transform3d readPose(const YAML::Node &node)
             {
-                if (!node.IsMap() && !(node.IsSequence() && node.size() == Size))
-                {
-                    fail(node, key + " must have " + std::to_string(Size) + " components");
-                }
-                if (node.IsMap())
-                {
-                    checkKeys(node, key, Names(names.begin(), names.end()));
-                }
-                Eigen::Matrix<double, Size, 1> vector;
-                for (std::size_t i = 0; i < Size; ++i)
-                {
-                    vector[static_cast<int>(i)] =
-                        readNumber(node.IsMap() ? required(node, names[i]) : node[i], key + "." + names[i]);
-                }
-                return vector;
+                return readTransform(node, "pose", "position", "orientation");
             }
 
-            fcl::Transform3d readPose(const YAML::Node &node) const
+            fcl::Transform3d readTransform(const YAML::Node &node, const std::string &what,
+                                           const std::string &translation, const std::string &rotation)
             {
-                checkKeys(node, "pose", {"position", "orientation"});
+                yaml_.checkKeys(node, what, {translation, rotation});
                 fcl::Transform3d pose = fcl::Transform3d::Identity();
-                if (node["position"])
+                if (node[translation])
                 {
-                    pose.translation() = readVector<3>(node["position"], "position", {"x", "y", "z"});
+                    pose.translation() = yaml_.vector<3>(node[translation], translation, {"x", "y", "z"});
                 }
-                if (node["orientation"])
+                if (node[rotation])
                 {
-                    const Eigen::Vector4d xyzw =
-                        readVector<4>(node["orientation"], "orientation", {"x", "y", "z", "w"});
-                    // Not of unit length to the digits that a file has is normal; zero has no direction at all.
-                    const double length = xyzw.stableNorm();
-                    if (length < 1e-6)
+                    const auto matrix =
+                        rotationOf(yaml_.vector<4>(node[rotation], rotation, {"x", "y", "z", "w"}), rotation, unset_);
+                    if (!matrix)
                     {
-                        fail(node["orientation"], "orientation: a quaternion of length 0 is no rotation");
+                        yaml_.fail(node[rotation],
+                                   rotation +
+                                       ": a quaternion of a length near 0 is no rotation; accepted are others, "
+                                       "and 0 0 0 0 for none");
                     }
-                    pose.linear() = Eigen::Quaterniond(xyzw / length).toRotationMatrix();
+                    pose.linear() = *matrix;
                 }
                 return pose;
             }
 
-            std::filesystem::path file_;
-            Scene scene_;
+            YamlFile yaml_;
+            Folders folders_;
+            FixedFrames frames_;
+            MoveItWorld world_;
+            UnsetFields unset_;
         };
     }  // namespace
 
-    Scene loadPlanningScene(const std::filesystem::path &file)
+    Scene loadPlanningScene(const std::filesystem::path &file, const std::vector<std::filesystem::path> &packageFolders)
     {
-        return SceneReader(file).read();
+        return SceneReader(file, packageFolders).read();
     }
 }  // namespace ompl_mfa::collision

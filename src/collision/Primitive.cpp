@@ -36,6 +36,16 @@ namespace ompl_mfa::collision
         return nullptr;
     }
 
+    std::string primitiveNames()
+    {
+        std::string names;
+        for (const PrimitiveKind &kind : primitiveKinds())
+        {
+            names += (names.empty() ? "" : ", ") + std::string(kind.name);
+        }
+        return names;
+    }
+
     std::shared_ptr<fcl::CollisionGeometryd> makePrimitive(const PrimitiveKind &kind,
                                                            const std::vector<double> &dimensions)
     {

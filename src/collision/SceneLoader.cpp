@@ -14,42 +14,56 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        Scene sceneOf(const std::filesystem::path &file, std::shared_ptr<fcl::CollisionGeometryd> geometry)
+        using Folders = std::vector<std::filesystem::path>;
+
+        Scene sceneOf(const std::filesystem::path &file, std::shared_ptr<fcl::CollisionGeometryd> geometry,
+                      std::size_t skippedFaces = 0)
         {
             Scene scene;
-            scene.add({file.stem().string(), std::move(geometry)});
+            scene.add({file.stem().string(), std::move(geometry), fcl::Transform3d::Identity(), skippedFaces});
             return scene;
         }
 
-        Scene loadOccupancyScene(const std::filesystem::path &file)
+        Scene loadOccupancyScene(const std::filesystem::path &file, const Folders & /*packageFolders*/)
         {
             return sceneOf(file, loadOccupancyMap(file));
         }
 
-        Scene loadMeshScene(const std::filesystem::path &file)
+        Scene loadMeshScene(const std::filesystem::path &file, const Folders & /*packageFolders*/)
         {
-            return sceneOf(file, makeMeshGeometry(loadMesh(file)));
+            const TriangleMesh mesh = loadMesh(file);
+            return sceneOf(file, makeMeshGeometry(mesh), mesh.skippedFaces);
         }
 
-        RigidBody loadSceneRobot(const std::filesystem::path &file, RobotCentring /*centring*/)
+        Scene loadTextScene(const std::filesystem::path &file, const Folders & /*packageFolders*/)
         {
-            const Scene scene = loadPlanningScene(file);
+            return collision::loadTextScene(file);
+        }
+
+        RigidBody bodyOf(const Scene &scene)
+        {
             std::vector<RigidBody::Shape> shapes;
             for (const CollisionObject &object : scene.objects())
             {
-                shapes.push_back({object.geometry, object.pose});
+                shapes.push_back({object.geometry, object.pose, object.skippedFaces});
             }
             return RigidBody(std::move(shapes));
         }
 
-        RigidBody refuseRobot(const std::filesystem::path &file, RobotCentring /*centring*/)
+        RigidBody loadSceneRobot(const std::filesystem::path &file, RobotCentring /*centring*/,
+                                 const Folders &packageFolders)
         {
-            throw InputError(file.string() +
-                             ": an occupancy map cannot be a robot; accepted are meshes and planning "
-                             "scenes (.yaml, .yml)");
+            return bodyOf(loadPlanningScene(file, packageFolders));
         }
 
-        RigidBody loadMeshRobot(const std::filesystem::path &file, RobotCentring centring)
+        RigidBody loadTextRobot(const std::filesystem::path &file, RobotCentring /*centring*/,
+                                const Folders & /*packageFolders*/)
+        {
+            return bodyOf(collision::loadTextScene(file));
+        }
+
+        RigidBody loadMeshRobot(const std::filesystem::path &file, RobotCentring centring,
+                                const Folders & /*packageFolders*/)
         {
             const TriangleMesh mesh = loadMesh(file);
             fcl::Vector3d offset = fcl::Vector3d::Zero();
@@ -61,58 +75,101 @@ namespace ompl_mfa::collision
             {
                 offset.z() = 0.;
             }
-            return RigidBody({{makeMeshGeometry(mesh, offset)}});
+            return RigidBody({{makeMeshGeometry(mesh, offset), fcl::Transform3d::Identity(), mesh.skippedFaces}});
         }
 
         // A kind of file: how its world and its robot are read.
         struct FileKind
         {
+            const char *name;
             std::vector<std::string> extensions;
-            Scene (*scene)(const std::filesystem::path &);
-            RigidBody (*robot)(const std::filesystem::path &, RobotCentring);
+            Scene (*scene)(const std::filesystem::path &, const Folders &);
+
+            // Null where such a file cannot be a robot.
+            RigidBody (*robot)(const std::filesystem::path &, RobotCentring, const Folders &);
         };
 
-        // The one place where kinds of files are listed. The last reads whatever no other claims: assimp knows some
-        // fifty formats.
+        // The one place where kinds of files are listed. The last reads whatever no other claims and assimp has a
+        // reader for, some fifty formats; its extensions are those that an error names.
         const std::vector<FileKind> &fileKinds()
         {
             static const std::vector<FileKind> kinds{
-                {{".yaml", ".yml"}, loadPlanningScene, loadSceneRobot},
-                {{".bt", ".ot"}, loadOccupancyScene, refuseRobot},
-                {{}, loadMeshScene, loadMeshRobot},
+                {"planning scenes", {".yaml", ".yml"}, loadPlanningScene, loadSceneRobot},
+                {"planning scenes as text", {".scene"}, loadTextScene, loadTextRobot},
+                {"OctoMaps", {".bt", ".ot"}, loadOccupancyScene, nullptr},
+                {"meshes", {".dae", ".obj", ".ply", ".stl", "others that assimp reads"}, loadMeshScene, loadMeshRobot},
             };
             return kinds;
         }
 
-        const FileKind &kindOf(const std::filesystem::path &file)
+        const FileKind *findKind(const std::filesystem::path &file)
         {
             const std::string extension = lowerCase(file.extension().string());
             for (const FileKind &kind : fileKinds())
             {
                 if (std::find(kind.extensions.begin(), kind.extensions.end(), extension) != kind.extensions.end())
                 {
-                    return kind;
+                    return &kind;
                 }
             }
-            return fileKinds().back();
+            return isMeshFile(file) ? &fileKinds().back() : nullptr;
+        }
+
+        std::string acceptedKinds(bool robots)
+        {
+            std::string kinds;
+            for (const FileKind &kind : fileKinds())
+            {
+                if (robots && kind.robot == nullptr)
+                {
+                    continue;
+                }
+                std::string extensions;
+                for (const std::string &extension : kind.extensions)
+                {
+                    extensions += (extensions.empty() ? "" : ", ") + extension;
+                }
+                kinds += (kinds.empty() ? "" : ", ") + std::string(kind.name) + " (" + extensions + ")";
+            }
+            return kinds;
+        }
+
+        const FileKind &kindOf(const std::filesystem::path &file, bool robot)
+        {
+            const FileKind *kind = findKind(file);
+            if (kind == nullptr)
+            {
+                const std::string extension = file.extension().string();
+                throw InputError(file.string() + ": unknown kind of file" +
+                                 (extension.empty() ? " without an extension" : " '" + extension + "'") +
+                                 "; accepted are " + acceptedKinds(robot));
+            }
+            return *kind;
         }
     }  // namespace
 
-    Scene loadScene(const std::filesystem::path &file)
+    Scene loadScene(const std::filesystem::path &file, const std::vector<std::filesystem::path> &packageFolders)
     {
         if (!std::filesystem::is_regular_file(file))
         {
             throw InputError(file.string() + ": world file not found");
         }
-        return kindOf(file).scene(file);
+        return kindOf(file, false).scene(file, packageFolders);
     }
 
-    RigidBody loadRobot(const std::filesystem::path &file, RobotCentring centring)
+    RigidBody loadRobot(const std::filesystem::path &file, RobotCentring centring,
+                        const std::vector<std::filesystem::path> &packageFolders)
     {
         if (!std::filesystem::is_regular_file(file))
         {
             throw InputError(file.string() + ": robot file not found");
         }
-        return kindOf(file).robot(file, centring);
+        const FileKind &kind = kindOf(file, true);
+        if (kind.robot == nullptr)
+        {
+            throw InputError(file.string() + ": " + kind.name + " cannot be a robot; accepted are " +
+                             acceptedKinds(true));
+        }
+        return kind.robot(file, centring, packageFolders);
     }
 }  // namespace ompl_mfa::collision

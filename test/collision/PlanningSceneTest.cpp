@@ -2,6 +2,8 @@
 
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <octomap/ColorOcTree.h>
+#include <octomap/octomap.h>
 
 #include "collision/TestFiles.h"
 #include "ompl_mfa/collision/TriangleMesh.h"
@@ -133,8 +135,8 @@ namespace ompl_mfa::collision
         TEST_F(PlanningSceneTest, NamesTheLineOfABadPose)
         {
             const std::string sphere = "      primitives: [{type: sphere, dimensions: [1]}]\n";
-            expectObjectFault(sphere + "      primitive_poses: [{position: [0, 0, 0], orientation: [0, 0, 0, 0]}]\n",
-                              ":5", "orientation", "length 0");
+            expectObjectFault(sphere + "      primitive_poses: [{orientation: [0, 0, 0, 1e-9]}]\n", ":5", "orientation",
+                              "length");
             expectObjectFault(sphere + "      primitive_poses: [{position: [0, 0]}]\n", ":5", "position",
                               "3 components");
             expectObjectFault(sphere + "      primitive_poses: [{position: {x: 0, y: 0}}]\n", ":5", "'z' is missing");
@@ -158,6 +160,457 @@ namespace ompl_mfa::collision
                               "vertices.z");
             folder_.write("cube.obj", cubeObj());
             expectObjectFault("      meshes: [{resource: cube.obj, scale: -1}]\n", ":4", "scale");
+        }
+
+        const std::string boxOfOne = "    primitives: [{type: box, dimensions: [1, 1, 1]}]\n";
+
+        // A box of edge 1 named "thing" in a frame, and what stands before the world in the file.
+        std::string boxInFrame(const std::string &frame, const std::string &preamble = "")
+        {
+            return preamble + "world:\n  collision_objects:\n  - id: thing\n    header: {frame_id: '" + frame + "'}\n" +
+                   boxOfOne;
+        }
+
+        const std::string baseTransform =
+            "fixed_frame_transforms:\n"
+            "  - child_frame_id: base\n"
+            "    transform: {translation: [4.5, 0, 0.5], rotation: [0, 0, 1, 1]}\n";
+
+        TEST_F(PlanningSceneTest, PlacesObjectsInTheirFrames)
+        {
+            const Scene scene = load(boxInFrame("base", baseTransform) +
+                                     "    pose: {position: [1, 0, 0], orientation: [0, 0, 0, 1]}\n");
+            EXPECT_TRUE(scene.objects()[0].pose.translation().isApprox(fcl::Vector3d(4.5, 1., 0.5)))
+                << scene.objects()[0].pose.translation().transpose();
+            EXPECT_TRUE(scene.objects()[0].pose.linear().col(0).isApprox(fcl::Vector3d::UnitY()));
+        }
+
+        TEST_F(PlanningSceneTest, FollowsChainsOfFrames)
+        {
+            // The camera is listed before the arm that it sits on; names may begin with a slash.
+            const Scene scene =
+                load(boxInFrame("camera",
+                                "fixed_frame_transforms:\n"
+                                "  - header: {frame_id: /arm}\n    child_frame_id: camera\n"
+                                "    transform: {translation: {x: 1, y: 0, z: 0}, rotation: {x: 0, y: 0, z: 0, w: 1}}\n"
+                                "  - header: {frame_id: odom, stamp: {sec: 0, nanosec: 0}}\n    child_frame_id: arm\n"
+                                "    transform: {translation: [0, 2, 0], rotation: [0, 0, 1, 1]}\n"
+                                "  - header: {frame_id: odom}\n    child_frame_id: odom\n"
+                                "    transform: {translation: [0, 0, 0], rotation: [0, 0, 0, 1]}\n") +
+                     "  - id: other\n    header: {frame_id: /odom}\n" + boxOfOne + "  - id: unnamed\n" + boxOfOne);
+            ASSERT_EQ(scene.objects().size(), 3U);
+            EXPECT_TRUE(scene.objects()[0].pose.translation().isApprox(fcl::Vector3d(0., 3., 0.)));
+            EXPECT_TRUE(scene.objects()[1].pose.matrix().isIdentity());
+            EXPECT_TRUE(scene.objects()[2].pose.matrix().isIdentity());
+        }
+
+        TEST_F(PlanningSceneTest, KnowsTheWorldAndEarlierObjectsAsFrames)
+        {
+            const Scene scene =
+                load(boxInFrame("world") +
+                     "    pose: {position: [5, 0, 0]}\n    subframe_names: [top]\n"
+                     "    subframe_poses: [{position: [0, 0, 0.5]}]\n"
+                     "  - id: lid\n    header: {frame_id: thing/top}\n" +
+                     boxOfOne + "    primitive_poses: [{position: [0, 1, 0]}]\n" +
+                     // A single shape's pose is that of its object where the object has none, as in MoveIt.
+                     "  - id: knob\n    header: {frame_id: lid}\n" + boxOfOne);
+            EXPECT_TRUE(scene.objects()[1].pose.translation().isApprox(fcl::Vector3d(5., 1., 0.5)));
+            EXPECT_TRUE(scene.objects()[2].pose.translation().isApprox(fcl::Vector3d(5., 1., 0.5)));
+        }
+
+        TEST_F(PlanningSceneTest, RefusesFramesThatNothingPlaces)
+        {
+            expectFault(boxInFrame("camera"), ":4", "'thing'", "frame 'camera'", "fixed_frame_transforms");
+            expectFault(boxInFrame("camera", baseTransform), ":7", "'thing'", "frame 'camera'", "base");
+            const auto transform = [](const std::string &parent, const std::string &child, const std::string &rest)
+            {
+                return "  - header: {frame_id: " + parent + "}\n    child_frame_id: " + child +
+                       "\n    transform: {translation: [" + rest + "], rotation: [0, 0, 0, 1]}\n";
+            };
+            const std::string list = "fixed_frame_transforms:\n";
+            expectFault(boxInFrame("a", list + transform("odom", "a", "0, 0, 0") + transform("map", "b", "0, 0, 0")),
+                        ":5", "'odom'", "'map'");
+            expectFault(boxInFrame("a", list + transform("b", "a", "0, 0, 0") + transform("a", "b", "0, 0, 0")), ":2",
+                        "'a'", "circle");
+            expectFault(boxInFrame("a", list + transform("a", "a", "1, 0, 0")), ":2", "'a'", "itself");
+            expectFault(boxInFrame("a", list + transform("b", "a", "0, 0, 0") + transform("b", "a", "1, 0, 0")), ":5",
+                        "'a'", "twice");
+            // Where the file names another planning frame, nothing says where the world is.
+            expectFault(boxInFrame("world", list + transform("odom", "a", "0, 0, 0")), "frame 'world'", "odom");
+            expectFault("fixed_frame_transforms: {}\n" + boxInFrame(""), "fixed_frame_transforms must be a list");
+        }
+
+        // The nodes of a map as octomap_msgs writes them into a message.
+        std::string octomapData(const octomap::OcTree &tree, bool binary)
+        {
+            std::ostringstream stream;
+            if (binary)
+            {
+                tree.writeBinaryData(stream);
+            }
+            else
+            {
+                tree.writeData(stream);
+            }
+            std::string list;
+            for (const char byte : stream.str())
+            {
+                list += (list.empty() ? "" : ", ") + std::to_string(static_cast<int>(static_cast<signed char>(byte)));
+            }
+            return "[" + list + "]";
+        }
+
+        std::string octomapWorld(const std::string &data, bool binary, const std::string &id = "OcTree",
+                                 const std::string &place = "")
+        {
+            return "world:\n  octomap:\n" + place +
+                   "    octomap:\n      header: {frame_id: ''}\n      binary: " + (binary ? "true" : "false") +
+                   "\n      id: " + id + "\n      resolution: 0.5\n      data: " + data + "\n";
+        }
+
+        class OctomapInSceneTest : public PlanningSceneTest
+        {
+        protected:
+            OctomapInSceneTest()
+              : tree_(0.5)
+            {
+                for (double x = 0.25; x < 4.; x += 0.5)
+                {
+                    tree_.updateNode(x, 0.25, 0.25, true);
+                    tree_.updateNode(x, 5.25, 0.25, false);
+                }
+            }
+
+            octomap::OcTree tree_;
+        };
+
+        TEST_F(OctomapInSceneTest, IsReadInItsFrameAndOrigin)
+        {
+            for (const bool binary : {true, false})
+            {
+                const Scene plain = load(octomapWorld(octomapData(tree_, binary), binary));
+                ASSERT_EQ(plain.objects().size(), 1U);
+                EXPECT_EQ(plain.objects()[0].geometry->getNodeType(), fcl::GEOM_OCTREE);
+                EXPECT_TRUE(plain.bounds().min_.isZero(1e-9)) << plain.bounds().min_.transpose();
+                EXPECT_TRUE(plain.bounds().max_.isApprox(fcl::Vector3d(4., 0.5, 0.5)));
+                const Scene placed = load(
+                    baseTransform + octomapWorld(octomapData(tree_, binary), binary, "OcTree",
+                                                 "    header: {frame_id: base}\n"
+                                                 "    origin: {position: [0, 0, 1], orientation: [0, 0, 0, 1]}\n"));
+                EXPECT_TRUE(placed.bounds().min_.isApprox(fcl::Vector3d(4., 0., 1.5)));
+                EXPECT_TRUE(placed.bounds().max_.isApprox(fcl::Vector3d(4.5, 4., 2.)));
+            }
+        }
+
+        TEST_F(OctomapInSceneTest, StandsBesideObjects)
+        {
+            const std::string map = octomapWorld(octomapData(tree_, true), true);
+            const Scene scene = load(map + "  collision_objects:\n  - id: thing\n" + boxOfOne);
+            EXPECT_EQ(scene.objects().size(), 2U);
+            // Free and unknown space is no obstacle, nor is a map that was never filled.
+            octomap::OcTree free(0.5);
+            free.updateNode(1., 1., 1., false);
+            const std::string objects = "  collision_objects:\n  - id: thing\n" + boxOfOne;
+            EXPECT_EQ(load(octomapWorld(octomapData(free, true), true) + objects).objects().size(), 1U);
+            EXPECT_EQ(load(octomapWorld("[]", false, "''") + objects).objects().size(), 1U);
+            expectFault(octomapWorld(octomapData(free, true), true), "no obstacle");
+        }
+
+        TEST_F(OctomapInSceneTest, IsRefusedWhereItCannotBeRead)
+        {
+            const std::string data = octomapData(tree_, true);
+            expectFault(octomapWorld(data, true, "ColorOcTree"), ":6", "octomap", "ColorOcTree", "OcTree");
+            expectFault(octomapWorld(data.substr(0, data.size() / 2) + "]", true), ":8", "octomap.data", "truncated");
+            expectFault(octomapWorld(data.substr(0, data.size() - 1) + ", 0, 0, 7]", true), ":8", "octomap.data",
+                        "3 bytes");
+            expectFault(octomapWorld("[300]", true), ":8", "300");
+            expectFault(octomapWorld("[1, 0, '...']", true), ":8", "...", "octomap.data");
+            expectFault(octomapWorld("'<sequence type: int8, length: 14>'", true), ":8", "octomap.data",
+                        "must be a list");
+            expectFault(octomapWorld(data, true, "OcTree", "    header: {frame_id: camera}\n"), ":3", "octomap",
+                        "'camera'");
+            std::string negative = octomapWorld(data, true);
+            negative.replace(negative.find("resolution: 0.5"), 15, "resolution: 0.0");
+            expectFault(negative, ":7", "resolution");
+        }
+
+        TEST_F(PlanningSceneTest, RefusesWhatBelongsToARobot)
+        {
+            const std::string attached =
+                "robot_state:\n  attached_collision_objects:\n  - link_name: hand\n    object:\n      id: cup\n"
+                "      primitives: [{type: box, dimensions: [1, 1, 1]}]\n";
+            expectFault(attached + boxInFrame(""), ":3", "attached_collision_objects", "'cup'", "'hand'");
+            expectFault("link_padding: [{link_name: hand, padding: 0.02}]\n" + boxInFrame(""), ":1", "link_padding",
+                        "'hand'", "0.02");
+            expectFault(
+                "link_scale:\n- {link_name: arm, scale: 1.0}\n- {link_name: hand, scale: 1.1}\n" + boxInFrame(""), ":3",
+                "link_scale", "'hand'", "1.1");
+            expectFault("robot_state: {attached_collision_object: []}\n" + boxInFrame(""), ":1", "unknown key");
+            // What says nothing is no fault.
+            EXPECT_EQ(load("robot_state: {attached_collision_objects: [], is_diff: true}\n"
+                           "link_padding: [{link_name: hand, padding: 0.0}]\n"
+                           "link_scale: [{link_name: hand, scale: 1.0}]\n" +
+                           boxInFrame(""))
+                          .objects()
+                          .size(),
+                      1U);
+        }
+
+        TEST_F(PlanningSceneTest, FollowsTheOperationsOfItsObjects)
+        {
+            const std::string world = "world:\n  collision_objects:\n";
+            const auto object = [](const std::string &id, const std::string &operation, double x)
+            {
+                return "  - id: " + id + "\n    operation: " + operation + "\n" + boxOfOne +
+                       "    primitive_poses: [{position: [" + std::to_string(x) + ", 0, 0]}]\n";
+            };
+            const Scene appended = load(world + object("a", "\"\\0\"", 1.) + object("a", "append", 2.));
+            ASSERT_EQ(appended.objects().size(), 2U);
+            EXPECT_EQ(appended.objects()[1].pose.translation().x(), 2.);
+            // As MoveIt does: what is added under a name that is taken replaces what had it, which is said.
+            std::string warning = standardErrorOf(
+                [&]
+                {
+                    const Scene replaced = load(world + object("a", "0", 1.) + object("a", "ADD", 2.));
+                    ASSERT_EQ(replaced.objects().size(), 1U);
+                    EXPECT_EQ(replaced.objects()[0].pose.translation().x(), 2.);
+                });
+            EXPECT_EQ(countOf("Warning:", warning), 1U) << warning;
+            EXPECT_NE(warning.find("'a'"), std::string::npos) << warning;
+            const std::string move = "  - {id: a, operation: 3, pose: {position: [0, 0, 7]}}\n";
+            const Scene moved = load(world + object("a", "0", 1.) + move);
+            EXPECT_TRUE(moved.objects()[0].pose.translation().isApprox(fcl::Vector3d(0., 0., 7.)));
+            const std::string remove = "  - {id: a, operation: \"\\x01\"}\n";
+            EXPECT_EQ(load(world + object("a", "0", 1.) + object("b", "0", 1.) + remove).objects()[0].id, "b");
+            expectFault(world + object("a", "0", 1.) + remove, "no obstacle");
+            expectFault(world + object("b", "0", 1.) + remove, ":7", "operation = 1", "'a'");
+            expectFault(world + object("b", "0", 1.) + move, ":7", "operation = 3", "'a'");
+            expectFault(world + object("a", "4", 1.), ":4", "operation = 4", "append");
+            expectFault(world + object("<octomap>", "0", 1.), ":3", "<octomap>");
+        }
+
+        TEST_F(PlanningSceneTest, RefusesShapesThatItCannotRead)
+        {
+            const std::string sphere = "      primitives: [{type: sphere, dimensions: [1]}]\n";
+            // A mesh that is no entry of a list was passed over.
+            expectObjectFault(sphere + "      meshes: cube.obj\n", ":5", "meshes must be a list");
+            expectObjectFault("      meshes: []\n      primitives: '<sequence length: 1>'\n", ":5",
+                              "primitives must be a list");
+            expectObjectFault(sphere + "      planes: '<sequence length: 1>'\n", ":5", "planes must be a list");
+            expectObjectFault(sphere + "      plane_poses: [{}]\n", ":5", "plane_poses");
+            expectObjectFault(sphere + "      mesh_poses: [{}]\n", ":5", "1 entries for 0");
+            expectObjectFault(sphere + "      subframe_names: [a]\n", ":5", "subframe");
+            expectObjectFault("      primitives: [{type: 1, dimensions: [1, 1, 1], polygon: {points: [{x: 1}]}}]\n",
+                              ":4", "polygon");
+            expectObjectFault("      primitives: [{type: 5, dimensions: [1], polygon: {points: []}}]\n", ":4", "'5'");
+        }
+
+        // As `ros2 topic echo` prints a scene: every field, unset ones too, and a line that ends the message.
+        std::string printedScene()
+        {
+            return R"(name: (noname)
+robot_state:
+  joint_state: {header: {stamp: {sec: 0, nanosec: 0}, frame_id: ''}, name: [], position: []}
+  multi_dof_joint_state: {joint_names: [], transforms: []}
+  attached_collision_objects: []
+  is_diff: true
+robot_model_name: arm
+fixed_frame_transforms: []
+allowed_collision_matrix: {entry_names: [], entry_values: [], default_entry_names: [], default_entry_values: []}
+link_padding: []
+link_scale: []
+object_colors: []
+world:
+  collision_objects:
+  - header:
+      stamp: {sec: 0, nanosec: 0}
+      frame_id: world
+    pose:
+      position: {x: 4.5, y: 0.0, z: 0.5}
+      orientation: {x: 0.0, y: 0.0, z: 0.0, w: 0.0}
+    id: box
+    type: {key: '', db: ''}
+    primitives:
+    - type: 1
+      dimensions: [1.0, 1.0, 1.0]
+      polygon: {points: []}
+    - type: 1
+      dimensions: [1.0, 1.0, 1.0]
+      polygon: {points: []}
+    primitive_poses: []
+    meshes: []
+    mesh_poses: []
+    planes: []
+    plane_poses: []
+    subframe_names: []
+    subframe_poses: []
+    operation: "\0"
+  octomap:
+    header: {stamp: {sec: 0, nanosec: 0}, frame_id: ''}
+    origin: {position: {x: 0.0, y: 0.0, z: 0.0}, orientation: {x: 0.0, y: 0.0, z: 0.0, w: 0.0}}
+    octomap: {header: {stamp: {sec: 0, nanosec: 0}, frame_id: ''}, binary: false, id: '', resolution: 0.0, data: []}
+is_diff: false
+---
+)";
+        }
+
+        TEST_F(PlanningSceneTest, ReadsMessagesAsTheyArePrinted)
+        {
+            const std::string warning = standardErrorOf(
+                [this]
+                {
+                    const Scene scene = load(printedScene());
+                    ASSERT_EQ(scene.objects().size(), 2U);
+                    for (const CollisionObject &object : scene.objects())
+                    {
+                        EXPECT_EQ(object.pose.translation(), fcl::Vector3d(4.5, 0., 0.5));
+                        EXPECT_TRUE(object.pose.linear().isIdentity());
+                    }
+                });
+            // One for the object, whatever was unset in it; the empty octomap needs none.
+            EXPECT_EQ(countOf("Warning:", warning), 1U) << warning;
+            for (const std::string part : {"scene.yaml:15", "'box'", "orientation", "primitive_poses", "identity"})
+            {
+                EXPECT_NE(warning.find(part), std::string::npos) << "'" << part << "' is not in: " << warning;
+            }
+        }
+
+        TEST_F(PlanningSceneTest, WarnsOfEachObjectOnce)
+        {
+            const std::string unset = "[{orientation: [0, 0, 0, 0]}, {orientation: [0, 0, 0, 0]}]\n";
+            const auto object = [&unset](const std::string &id)
+            {
+                return "  - id: " + id +
+                       "\n    primitives: [{type: sphere, dimensions: [1]}, {type: sphere, dimensions: [2]}]\n"
+                       "    primitive_poses: " +
+                       unset;
+            };
+            const std::string warning = standardErrorOf(
+                [&]
+                {
+                    load(
+                        "fixed_frame_transforms:\n  - child_frame_id: base\n"
+                        "    transform: {translation: [1, 0, 0], rotation: [0, 0, 0, 0]}\n"
+                        "world:\n  collision_objects:\n" +
+                        object("a") + object("b") + "  - id: c\n" + boxOfOne);
+                });
+            EXPECT_EQ(countOf("Warning:", warning), 3U) << warning;
+            EXPECT_EQ(countOf("'a'", warning), 1U) << warning;
+            EXPECT_EQ(countOf("'b'", warning), 1U) << warning;
+            EXPECT_EQ(countOf("'base'", warning), 1U) << warning;
+            // A scene that is all there needs no word.
+            EXPECT_EQ(standardErrorOf([&] { load(boxInFrame("base", baseTransform)); }), "");
+        }
+
+        TEST_F(PlanningSceneTest, RefusesASecondMessage)
+        {
+            const std::string world = "world:\n  collision_objects:\n  - id: thing\n" + boxOfOne;
+            EXPECT_EQ(load("---\n" + world + "---\n").objects().size(), 1U);
+            expectFault(world + "---\n" + world + "---\n", ":6", "2 messages");
+        }
+
+        TEST_F(PlanningSceneTest, SaysThatADifferenceIsReadAlone)
+        {
+            const std::string warning = standardErrorOf([this] { load("is_diff: true\n" + boxInFrame("")); });
+            EXPECT_EQ(countOf("Warning:", warning), 1U) << warning;
+            EXPECT_NE(warning.find("is_diff"), std::string::npos) << warning;
+        }
+
+        TEST_F(PlanningSceneTest, TakesTheDimensionsOfAMeshAsItsScale)
+        {
+            folder_.write("cube.obj", cubeObj());
+            const Scene scene = loadObject("      meshes: [{resource: cube.obj, dimensions: [2, 3, 4]}]\n");
+            EXPECT_TRUE(scene.bounds().max_.isApprox(fcl::Vector3d(1., 1.5, 2.)));
+            expectObjectFault("      meshes: [{resource: cube.obj, dimensions: [2, 3, 4], scale: 2}]\n", ":4",
+                              "dimensions", "scale");
+            expectObjectFault("      meshes: [{resource: cube.obj, dimensions: [2, 0, 4]}]\n", ":4", "dimensions",
+                              "greater than 0");
+        }
+
+        class MeshResourceTest : public PlanningSceneTest
+        {
+        protected:
+            MeshResourceTest()
+            {
+                std::filesystem::create_directories(folder_.path() / "scenes");
+                std::filesystem::create_directories(folder_.path() / "my_robot" / "meshes dir");
+                folder_.write("my_robot/meshes dir/cube.obj", cubeObj());
+                unsetenv("OMPL_MFA_RESOURCE_DIR");
+            }
+
+            ~MeshResourceTest() override
+            {
+                unsetenv("OMPL_MFA_RESOURCE_DIR");
+            }
+
+            std::filesystem::path sceneOf(const std::string &resource) const
+            {
+                return folder_.write(
+                    "scenes/scene.yaml",
+                    "world:\n  collision_objects:\n    - id: thing\n      meshes: [{resource: '" + resource + "'}]\n");
+            }
+        };
+
+        TEST_F(MeshResourceTest, AreSoughtInPackageFolders)
+        {
+            const auto scene = sceneOf("package://my_robot/meshes dir/cube.obj");
+            expectInputError([&] { loadPlanningScene(scene); }, "scene.yaml:4", "resource",
+                             "package://my_robot/meshes dir/cube.obj", "sought", "OMPL_MFA_RESOURCE_DIR");
+            setenv("OMPL_MFA_RESOURCE_DIR", ("/nowhere:" + folder_.path().string()).c_str(), 1);
+            EXPECT_EQ(loadPlanningScene(scene).objects().size(), 1U);
+            // The package itself may be named too.
+            setenv("OMPL_MFA_RESOURCE_DIR", (folder_.path() / "my_robot").c_str(), 1);
+            EXPECT_EQ(loadPlanningScene(scene).objects().size(), 1U);
+        }
+
+        TEST_F(MeshResourceTest, MayBeAddresses)
+        {
+            const std::string folder = folder_.path().string();
+            EXPECT_EQ(
+                loadPlanningScene(sceneOf("file://" + folder + "/my_robot/meshes%20dir/cube.obj")).objects().size(),
+                1U);
+            EXPECT_EQ(loadPlanningScene(sceneOf("../my_robot/meshes dir/cube.obj")).objects().size(), 1U);
+            expectInputError([&] { loadPlanningScene(sceneOf("http://example.org/cube.obj")); }, "scene.yaml:4", "http",
+                             "package://");
+            expectInputError([&] { loadPlanningScene(sceneOf("package://my_robot")); }, "scene.yaml:4", "package://");
+        }
+
+        // A pillar of height 4 along z, in metres or in another unit, with the axis that its tool calls up.
+        std::string pillarDae(const std::string &up, const std::string &metres)
+        {
+            return R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+ <asset><unit name="u" meter=")" +
+                   metres + R"("/><up_axis>)" + up + R"(</up_axis></asset>
+ <library_geometries><geometry id="g"><mesh>
+  <source id="p"><float_array id="a" count="12">0 0 0 1 0 0 0 1 0 0 0 4</float_array>
+   <technique_common><accessor source="#a" count="4" stride="3">
+    <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+   </accessor></technique_common></source>
+  <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+  <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 1 2 3 2 0 3</p></triangles>
+ </mesh></geometry></library_geometries>
+ <library_visual_scenes><visual_scene id="s">
+  <node id="n"><translate>10 0 0</translate><instance_geometry url="#g"/></node>
+ </visual_scene></library_visual_scenes>
+ <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>)";
+        }
+
+        TEST_F(PlanningSceneTest, LeavesMeshesUprightAsMoveItDoes)
+        {
+            for (const std::string up : {"X_UP", "Y_UP", "Z_UP"})
+            {
+                for (const std::string metres : {"1", "0.001"})
+                {
+                    folder_.write("pillar.dae", pillarDae(up, metres));
+                    const Scene scene = loadObject("      meshes: [{resource: pillar.dae}]\n");
+                    EXPECT_TRUE(scene.bounds().min_.isApprox(fcl::Vector3d(10., 0., 0.)))
+                        << up << ' ' << metres << ": " << scene.bounds().min_.transpose();
+                    EXPECT_TRUE(scene.bounds().max_.isApprox(fcl::Vector3d(11., 1., 4.)))
+                        << up << ' ' << metres << ": " << scene.bounds().max_.transpose();
+                }
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa::collision

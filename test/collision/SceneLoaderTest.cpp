@@ -63,5 +63,48 @@ namespace ompl_mfa::collision
             expectInputError([&folder] { loadRobot(folder.write("map.bt", ""), RobotCentring::None); }, "map.bt",
                              "cannot be a robot");
         }
+
+        TEST(SceneLoader, ListsTheKindsThatItReads)
+        {
+            const TemporaryFolder folder;
+            for (const std::string name : {"robot.urdf", "map.pgm", "world.json", "world", "cloud.pcd", "scene.YAM"})
+            {
+                const auto file = folder.write(name, "<robot name='r'/>");
+                expectInputError([&file] { loadScene(file); }, name, "unknown kind", ".yaml", ".yml", ".scene", ".bt",
+                                 ".ot", ".dae", ".obj", ".stl", ".ply");
+                expectInputError([&file] { loadRobot(file, RobotCentring::None); }, name, "unknown kind", ".yaml",
+                                 ".scene", ".dae");
+            }
+            // What assimp has a reader for is a mesh, whatever the case of its extension.
+            expectInputError([&folder] { loadScene(folder.write("broken.DAE", "x")); }, "not a readable mesh");
+        }
+
+        TEST(SceneLoader, PassesTheNumberOfSkippedFacesOn)
+        {
+            const TemporaryFolder folder;
+            const auto mesh = folder.write("mixed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\np 1\nl 1 2 3\n");
+            EXPECT_EQ(loadScene(mesh).skippedFaces(), 3U);
+            EXPECT_EQ(loadRobot(mesh, RobotCentring::None).skippedFaces(), 3U);
+            const auto scene = folder.write("scene.yaml",
+                                            "world:\n  collision_objects:\n  - id: a\n"
+                                            "    meshes: [{resource: mixed.obj}, {resource: mixed.obj}]\n");
+            EXPECT_EQ(loadScene(scene).skippedFaces(), 6U);
+            EXPECT_EQ(loadScene(scene).objects()[1].skippedFaces, 3U);
+            EXPECT_EQ(loadRobot(scene, RobotCentring::None).skippedFaces(), 6U);
+        }
+
+        TEST(SceneLoader, SeeksMeshesInTheFoldersThatItIsGiven)
+        {
+            const TemporaryFolder folder;
+            const TemporaryFolder elsewhere;
+            std::filesystem::create_directories(elsewhere.path() / "kitchen" / "meshes");
+            elsewhere.write("kitchen/meshes/cube.obj", cubeObj());
+            const auto scene = folder.write("scene.yaml",
+                                            "world:\n  collision_objects:\n  - id: a\n"
+                                            "    meshes: [{resource: 'package://kitchen/meshes/cube.obj'}]\n");
+            EXPECT_EQ(loadScene(scene, {elsewhere.path()}).objects().size(), 1U);
+            EXPECT_EQ(loadRobot(scene, RobotCentring::None, {elsewhere.path() / "kitchen/"}).shapes().size(), 1U);
+            expectInputError([&] { loadScene(scene, {folder.path()}); }, "scene.yaml:4", "package://kitchen", "sought");
+        }
     }  // namespace
 }  // namespace ompl_mfa::collision

@@ -82,6 +82,33 @@ namespace ompl_mfa::collision
         }
     }
 
+    /** \brief What `action` writes to standard error. */
+    template <typename Action>
+    std::string standardErrorOf(const Action &action)
+    {
+        ::testing::internal::CaptureStderr();
+        try
+        {
+            action();
+        }
+        catch (const std::exception &error)
+        {
+            ADD_FAILURE() << error.what();
+        }
+        return ::testing::internal::GetCapturedStderr();
+    }
+
+    /** \brief How often `part` is in `text`. */
+    inline std::size_t countOf(const std::string &part, const std::string &text)
+    {
+        std::size_t count = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+        {
+            ++count;
+        }
+        return count;
+    }
+
     /** \brief A unit cube centred at the origin as Wavefront .obj: 12 triangles, closed. */
     inline std::string cubeObj()
     {

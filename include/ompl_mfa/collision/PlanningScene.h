@@ -2,24 +2,44 @@
 #define OMPL_MFA_COLLISION_PLANNING_SCENE_
 
 #include <filesystem>
+#include <vector>
 
 #include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa::collision
 {
-    /** \brief Read a planning scene in MoveIt's layout (`moveit_msgs/PlanningScene` as YAML).
+    /** \brief Read a planning scene in MoveIt's layout: a `moveit_msgs/PlanningScene` as YAML, written by hand or as
+        `rostopic echo` and `ros2 topic echo` print it.
 
-        The obstacles are `world.collision_objects[]`, each with an `id`, an optional `pose`, and
+        The obstacles are `world.octomap` and `world.collision_objects[]`, each of these with an `id`, an optional
+        `pose`, and
         - `primitives[]` (`type`: the name of one of primitiveKinds() or its number; `dimensions`: in its order) with
           `primitive_poses[]`;
-        - `meshes[]` (`resource`: a mesh file beside the scene, with an optional `scale`; or `vertices[]` and
-          `triangles[]`) with `mesh_poses[]`.
+        - `meshes[]` (`resource`: a mesh file, read with RootTransform::Reset, and an optional `scale`, which may be
+          called `dimensions`; or `vertices[]` and `triangles[]`) with `mesh_poses[]`.
 
-        A pose is `position` (x y z) and an optional `orientation` (x y z w), as lists or as maps; a missing list of
-        poses means that every shape sits at the pose of its object. Orientations are normalised. Other fields of
-        MoveIt's messages do not describe obstacles and are passed over; a field that MoveIt does not have is an error.
+        A pose is `position` (x y z) and `orientation` (x y z w), as lists or as maps. What is missing is identity; what
+        a message prints as unset, an orientation of four zeros or an empty list of poses, is so too, with one warning
+        an object on OMPL's console. Orientations are normalised.
+
+        Poses are in the frame that `header.frame_id` names: the planning frame (also the empty name), one that
+        `fixed_frame_transforms` place, or an object before this one or a subframe of it. Operations of objects (add,
+        remove, append, move) are followed. What would change what collides and cannot be read is an error: other
+        frames, planes, attached objects, padding and scale of links, other kinds of OctoMaps.
+        \param file the scene
+        \param packageFolders where a `resource` that is `package://PACKAGE/PATH` or a relative name is sought, after
+        the folder of the scene and before resourceFolders(); a folder holds packages or is one
         \throw InputError naming file, line, key and value. */
-    Scene loadPlanningScene(const std::filesystem::path &file);
+    Scene loadPlanningScene(const std::filesystem::path &file,
+                            const std::vector<std::filesystem::path> &packageFolders = {});
+
+    /** \brief Read a planning scene in MoveIt's text format (`.scene`), as RViz exports it: a line with the name; for
+        each object a line `* ID`, in the newer format its pose, the number of shapes, the shapes (`box`, `sphere`,
+        `cylinder`, `cone`, `mesh`) with their poses and colours, in the newer format subframes; and a line `.`.
+
+        An orientation of four zeros is identity, with one warning an object on OMPL's console.
+        \throw InputError naming file, line and value. */
+    Scene loadTextScene(const std::filesystem::path &file);
 }  // namespace ompl_mfa::collision
 
 #endif

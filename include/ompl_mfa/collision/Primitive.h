@@ -35,6 +35,9 @@ namespace ompl_mfa::collision
     /** \brief The kind with this name (in lower case) or number; null where there is none. */
     const PrimitiveKind *findPrimitiveKind(const std::string &nameOrNumber);
 
+    /** \brief The names of all kinds, for an error message. */
+    std::string primitiveNames();
+
     /** \brief Make a primitive.
         \throw std::invalid_argument naming the dimension and its value, where their number is wrong, or one is
         negative, not finite, or zero where it may not vanish. */

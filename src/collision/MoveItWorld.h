@@ -1,0 +1,117 @@
+#ifndef OMPL_MFA_COLLISION_MOVEIT_WORLD_
+#define OMPL_MFA_COLLISION_MOVEIT_WORLD_
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fcl/geometry/collision_geometry.h>
+
+#include "ompl_mfa/collision/Scene.h"
+
+namespace ompl_mfa::collision
+{
+    /** \brief A transform of `fixed_frame_transforms`. */
+    struct FixedTransform
+    {
+        /** \brief Name of the frame that it is given in; empty is the planning frame. */
+        std::string parent;
+
+        /** \brief Name of the frame that it places. */
+        std::string child;
+
+        fcl::Transform3d pose{fcl::Transform3d::Identity()};
+
+        /** \brief File and line, for an error. */
+        std::string place;
+    };
+
+    /** \brief What the frames of a planning scene's fixed transforms are called, and where they are. */
+    class FixedFrames
+    {
+    public:
+        FixedFrames() = default;
+
+        /** \brief The planning frame is the one frame that transforms are given in and none places; where no transform
+            names it, "world".
+            \throw InputError where there are two such frames, one is placed twice, or they form a circle. */
+        explicit FixedFrames(const std::vector<FixedTransform> &transforms);
+
+        /** \brief From the frame to the planning frame, which also the empty name means; empty where it is unknown. */
+        std::optional<fcl::Transform3d> find(const std::string &name) const;
+
+        /** \brief The names that are known, for an error. */
+        std::string names() const;
+
+    private:
+        using Children = std::map<std::string, FixedTransform>;
+
+        static Children childrenOf(const std::vector<FixedTransform> &transforms);
+        void namePlanningFrame(const std::vector<FixedTransform> &transforms, const Children &children);
+
+        std::string planningFrame_{"world"};
+        std::map<std::string, fcl::Transform3d> frames_;
+    };
+
+    /** \brief The objects of a planning scene by their names, as the operations of its messages leave them. */
+    class MoveItWorld
+    {
+    public:
+        struct Shape
+        {
+            std::shared_ptr<fcl::CollisionGeometryd> geometry;
+
+            /** \brief From the shape to its object. */
+            fcl::Transform3d pose{fcl::Transform3d::Identity()};
+
+            /** \brief As in CollisionObject. */
+            std::size_t skippedFaces{0};
+        };
+
+        struct Object
+        {
+            std::string id;
+
+            /** \brief From the object to the planning frame. */
+            fcl::Transform3d pose{fcl::Transform3d::Identity()};
+
+            std::vector<Shape> shapes;
+
+            /** \brief Named frames of the object, in it. */
+            std::map<std::string, fcl::Transform3d> subframes;
+        };
+
+        /** \brief Add an object, in the place of one that has its name.
+            \return whether there was one. */
+        bool add(Object object);
+
+        /** \brief Add the shapes and subframes to the object of this name where they are; a new one where there is
+            none. */
+        void append(const Object &object);
+
+        /** \brief Move an object. \return whether there is one of this name. */
+        bool move(const std::string &id, const fcl::Transform3d &pose);
+
+        /** \brief Remove an object; all of them where the name is empty.
+            \return whether there is one of this name. */
+        bool remove(const std::string &id);
+
+        /** \brief From the frame of an object (its name) or of a subframe (`object/subframe`) to the planning frame. */
+        std::optional<fcl::Transform3d> findFrame(const std::string &name) const;
+
+        /** \brief All shapes as obstacles. */
+        Scene scene() const;
+
+    private:
+        Object *find(const std::string &id);
+
+        std::vector<Object> objects_;
+    };
+
+    /** \brief Names of frames may begin with a slash, which says nothing. */
+    std::string withoutSlash(const std::string &frame);
+}  // namespace ompl_mfa::collision
+
+#endif

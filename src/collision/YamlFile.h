@@ -1,0 +1,90 @@
+#ifndef OMPL_MFA_COLLISION_YAML_FILE_
+#define OMPL_MFA_COLLISION_YAML_FILE_
+
+#include <array>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include <Eigen/Core>
+
+#include <yaml-cpp/yaml.h>
+
+namespace ompl_mfa::collision
+{
+    /** \brief A file that holds one message as YAML, and its fields with the checks that all of them need. Faults are
+        InputErrors that name the file, the line and the key. */
+    class YamlFile
+    {
+    public:
+        using Names = std::set<std::string>;
+
+        /** \param file where the message is; nothing is read yet. */
+        explicit YamlFile(std::filesystem::path file);
+
+        /** \brief The message. Lines of three hyphens, which printers put between messages, may stand before and
+            behind it. Throws where there is none or more than one. */
+        YAML::Node message() const;
+
+        /** \brief The folder that the file is in. */
+        std::filesystem::path folder() const;
+
+        /** \brief File and line, for an error or a warning. */
+        std::string place(const YAML::Node &node) const;
+
+        [[noreturn]] void fail(const YAML::Node &node, const std::string &fault) const;
+
+        /** \brief Throws where `map` is no map, or has a key twice or one that is not accepted. */
+        void checkKeys(const YAML::Node &map, const std::string &what, const Names &accepted) const;
+
+        /** \brief Whether the map has a value for this key. */
+        static bool has(const YAML::Node &map, const std::string &key);
+
+        /** \brief The value of a key that must be there. */
+        YAML::Node required(const YAML::Node &map, const std::string &key) const;
+
+        /** \brief The list under a key; empty where there is no value. Throws where the value is no list, and names
+            the key as `name`. */
+        YAML::Node list(const YAML::Node &map, const std::string &key, const std::string &name) const;
+
+        YAML::Node list(const YAML::Node &map, const std::string &key) const
+        {
+            return list(map, key, key);
+        }
+
+        /** \brief The text under a key; empty where there is no value. */
+        std::string text(const YAML::Node &map, const std::string &key) const;
+
+        /** \brief A finite number of at most largestCoordinate. */
+        double number(const YAML::Node &node, const std::string &key) const;
+
+        /** \brief Numbers as a list, or as a map of the components. */
+        template <int Size>
+        Eigen::Matrix<double, Size, 1> vector(const YAML::Node &node, const std::string &key,
+                                              const std::array<const char *, Size> &names) const
+        {
+            if (!node.IsMap() && !(node.IsSequence() && node.size() == Size))
+            {
+                fail(node, key + " must have " + std::to_string(Size) + " components");
+            }
+            if (node.IsMap())
+            {
+                checkKeys(node, key, Names(names.begin(), names.end()));
+            }
+            Eigen::Matrix<double, Size, 1> result;
+            for (std::size_t i = 0; i < Size; ++i)
+            {
+                result[static_cast<int>(i)] =
+                    number(node.IsMap() ? required(node, names[i]) : node[i], key + "." + names[i]);
+            }
+            return result;
+        }
+
+    private:
+        std::string place(const YAML::Mark &mark) const;
+
+        std::filesystem::path file_;
+    };
+}  // namespace ompl_mfa::collision
+
+#endif
