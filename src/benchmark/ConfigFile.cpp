@@ -1,7 +1,6 @@
 #include "ompl_mfa/benchmark/ConfigFile.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
+#include "ompl_mfa/collision/ResourceFolders.h"
 
 namespace ompl_mfa
 {
@@ -522,8 +522,8 @@ namespace ompl_mfa
     std::filesystem::path findResource(const BenchmarkConfig &config, const ConfigEntry &entry)
     {
         std::vector<std::filesystem::path> places = {entry.value, config.file.parent_path() / entry.value};
-        if (const char *folder = std::getenv("OMPL_MFA_RESOURCE_DIR"))
-            places.push_back(std::filesystem::path(folder) / entry.value);
+        for (const auto &folder : collision::resourceFolders())
+            places.push_back(folder / entry.value);
         std::string sought;
         for (const auto &place : places)
         {
@@ -531,6 +531,7 @@ namespace ompl_mfa
                 return place;
             sought += (sought.empty() ? "" : ", ") + place.string();
         }
-        failAt(entry, "no such file; sought " + sought + " (OMPL_MFA_RESOURCE_DIR may name one more folder)");
+        failAt(entry, "no such file; sought " + sought +
+                          " (OMPL_MFA_RESOURCE_DIR may name further folders, separated by colons)");
     }
 }  // namespace ompl_mfa

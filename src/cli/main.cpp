@@ -22,10 +22,9 @@ namespace
     class StandardErrorOutput : public ompl::msg::OutputHandler
     {
     public:
-        void log(const std::string &text, ompl::msg::LogLevel /*level*/, const char * /*filename*/,
-                 int /*line*/) override
+        void log(const std::string &text, ompl::msg::LogLevel level, const char * /*filename*/, int /*line*/) override
         {
-            std::cerr << text << std::endl;
+            std::cerr << (level == ompl::msg::LOG_WARN ? "warning: " : "") << text << std::endl;
         }
     };
 

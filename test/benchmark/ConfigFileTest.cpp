@@ -299,6 +299,8 @@ namespace
         EXPECT_EQ(found("near.dae"), root / "configs" / "near.dae");
         EXPECT_NE(inputErrorOf([&] { found("far.dae"); }), "");
         EXPECT_NE(inputErrorOf([&] { found(root.string()); }), "") << "a folder is not a file";
+        ::setenv("OMPL_MFA_RESOURCE_DIR", ("/nowhere:" + (root / "resources").string()).c_str(), 1);
+        EXPECT_EQ(found("far.dae"), root / "resources" / "far.dae");
         ::setenv("OMPL_MFA_RESOURCE_DIR", (root / "resources").c_str(), 1);
         EXPECT_EQ(found("far.dae"), root / "resources" / "far.dae");
         const std::string error = inputErrorOf([&] { found("none.dae"); });

@@ -81,9 +81,10 @@ TEST_F(Check, refusesEachFaultOfAWorld)
     };
     expectFault("unreadable.dae", "no XML", {"not a readable mesh"});
     expectFault("empty.stl", "", {"not a readable mesh"});
+    expectFault("robot.urdf", "<robot/>", {"unknown kind", ".yaml", ".scene", ".bt", ".dae"});
     expectFault("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", {"no triangles"});
     expectFault("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", {"not a finite number"});
-    expectFault("zero.yaml", scene("type: box, dimensions: [1, 1, 1]", "0, 0, 0, 0"), {":5", "quaternion of length 0"});
+    expectFault("zero.yaml", scene("type: box, dimensions: [1, 1, 1]", "0, 0, 0, 1e-9"), {":5", "orientation"});
     expectFault("negative.yaml", scene("type: cylinder, dimensions: [1, -0.5]", "0, 0, 0, 1"),
                 {":4", "cylinder radius = -0.5"});
     expectFault("unknown.yaml", scene("type: torus, dimensions: [1, 1]", "0, 0, 0, 1"), {":4", "'torus'", "sphere"});
@@ -92,6 +93,20 @@ TEST_F(Check, refusesEachFaultOfAWorld)
     expectFault("old.bt", "# OctoMap v0.5\n", {":1", "version 1.0"});
     expectFault("other.ot", "# Octomap OcTree file\nid ColorOcTree\nsize 1\nres 0.1\ndata\n", {"ColorOcTree"});
     expectFault("none.bt", "# Octomap OcTree binary file\nid OcTree\nsize 0\nres 0.1\ndata\n", {"no occupied cell"});
+}
+
+TEST_F(Check, warnsOfWhatASceneLeavesUnset)
+{
+    write("scene.yaml",
+          "world:\n  collision_objects:\n  - id: thing\n"
+          "    primitives: [{type: sphere, dimensions: [0.1]}, {type: sphere, dimensions: [0.1]}]\n"
+          "    primitive_poses: [{orientation: [0, 0, 0, 0]}, {orientation: [0, 0, 0, 0]}]\n");
+    const ProgramResult result = runProgram("check " + config(START, "", "world = scene.yaml\n") + " --json");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["obstacles"], 2);
+    EXPECT_EQ(result.err.find("warning: "), 0U) << result.err;
+    EXPECT_NE(result.err.find("scene.yaml:3: object 'thing'"), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("'thing'"), result.err.rfind("'thing'")) << result.err;
 }
 
 TEST_F(Check, acceptsByteOrderMarksAndAnglesBeyondPi)

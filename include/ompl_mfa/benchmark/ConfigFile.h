@@ -145,8 +145,9 @@ namespace ompl_mfa
     /** \brief As readBenchmarkConfig(), from a stream; \e file names it in messages, and files are sought beside it. */
     BenchmarkConfig parseBenchmarkConfig(std::istream &in, const std::filesystem::path &file);
 
-    /** \brief The path of a file named in a config: as given, beside the config, then in the folder that the
-        environment variable OMPL_MFA_RESOURCE_DIR names. Throws InputError listing these places when it is in none. */
+    /** \brief The path of a file named in a config: as given, beside the config, then in the folders that the
+        environment variable OMPL_MFA_RESOURCE_DIR names, separated by colons. Throws InputError listing these places
+       when it is in none. */
     std::filesystem::path findResource(const BenchmarkConfig &config, const ConfigEntry &entry);
 }  // namespace ompl_mfa
 
