@@ -10,7 +10,7 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
-#include "PlyHeader.h"
+#include "PlyFile.h"
 #include "ompl_mfa/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/collision/Scene.h"
@@ -169,18 +169,6 @@ namespace ompl_mfa::collision
             return *scene;
         }
 
-        // assimp keeps one triangle of each strip and drops the others without a word.
-        void refuseStrips(const std::filesystem::path &file)
-        {
-            const std::size_t strips = announcedTriangleStrips(file);
-            if (strips > 0)
-            {
-                throw InputError(file.string() + ": PLY holds " + std::to_string(strips) +
-                                 " triangle strips ('element tristrips'), which cannot be read; accepted are faces "
-                                 "('element face')");
-            }
-        }
-
         void requireAll(const FaceCount &faces, const TriangleMesh &mesh, const std::string &file)
         {
             if (mesh.triangles.size() < faces.triangles)
@@ -202,7 +190,7 @@ namespace ompl_mfa::collision
         {
             throw InputError(file.string() + ": mesh file not found");
         }
-        refuseStrips(file);
+        requireWholePly(file);
         Assimp::Importer importer;
         const aiScene &read = readScene(importer, file.string());
         const FaceCount faces = countFaces(read, *read.mRootNode);

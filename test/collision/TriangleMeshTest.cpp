@@ -149,6 +149,38 @@ namespace ompl_mfa::collision
                 4U);
         }
 
+        // assimp repeats the last face for those that a text lacks, and reads past the end of a binary file.
+        TEST(TriangleMesh, RefusesPlyThatIsCut)
+        {
+            const TemporaryFolder folder;
+            const auto expectFault = [&folder](const std::string &content, const std::string &element) {
+                expectInputError([&] { loadMesh(folder.write("cut.ply", content)); }, "cut.ply", "'" + element + "'",
+                                 "header");
+            };
+            const std::string text = ply("element face 3", "3 0 1 2\n3 1 2 3\n");
+            expectFault(text, "face");
+            expectFault(text.substr(0, text.find("1 1 -1")), "vertex");
+            const auto number = [](auto value)
+            { return std::string(reinterpret_cast<const char *>(&value), sizeof(value)); };
+            std::string binary =
+                "ply\r\nformat binary_little_endian 1.0\r\ncomment x\r\nelement vertex 4\r\nproperty float x\r\n"
+                "property double y\r\nproperty float32 z\r\nelement face 2\r\n"
+                "property list uchar int vertex_indices\r\nproperty uchar red\r\nend_header\r\n";
+            for (int i = 0; i < 4; ++i)
+            {
+                binary += number(static_cast<float>(i % 2)) + number(static_cast<double>(i / 2)) + number(1.F);
+            }
+            const std::size_t faces = binary.size();
+            for (const int first : {0, 1})
+            {
+                binary += std::string(1, '\3') + number(first) + number(first + 1) + number(first + 2) + "r";
+            }
+            EXPECT_EQ(loadMesh(folder.write("whole.ply", binary)).triangles.size(), 2U);
+            expectFault(binary.substr(0, binary.size() - 1), "face");
+            expectFault(binary.substr(0, binary.size() - 16), "face");
+            expectFault(binary.substr(0, faces - 3), "vertex");
+        }
+
         TEST(TriangleMesh, RefusesFacesThatArePartlyLost)
         {
             const TemporaryFolder folder;
