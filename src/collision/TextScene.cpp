@@ -54,18 +54,17 @@ namespace ompl_mfa::collision
                 return line_ > lines_.size();
             }
 
-            // The line that follows the one of the last word, of which nothing more is read.
-            std::string nextLine()
+            // Whatever is left of the line.
+            void skipLine()
             {
                 next();
-                return line_ <= lines_.size() ? lines_[line_ - 1] : "";
             }
 
             std::string word()
             {
                 if (atEnd())
                 {
-                    throw InputError(file_ + ": planning scene ends before the '.' of its last line");
+                    throw InputError(file_ + ": planning scene is empty or ends before the '.' of its last line");
                 }
                 std::string word;
                 words_ >> word;
@@ -174,12 +173,8 @@ namespace ompl_mfa::collision
 
             Scene read()
             {
-                if (text_.atEnd())
-                {
-                    text_.fail("planning scene is empty; it needs a name and objects ('*')");
-                }
-                // The name of the scene.
-                text_.nextLine();
+                // The name of the scene, which may be blank.
+                text_.skipLine();
                 for (std::string marker = text_.word(); marker != "."; marker = text_.word())
                 {
                     if (marker != "*")

@@ -97,8 +97,8 @@ namespace ompl_mfa::collision
 
         fcl::Vector3d readScale(const YamlFile &yaml, const YAML::Node &node, const std::string &key)
         {
-            const fcl::Vector3d scale = node.IsScalar() ? fcl::Vector3d::Constant(yaml.number(node, key))
-                                                        : yaml.vector<3>(node, key, {"x", "y", "z"});
+            fcl::Vector3d scale = node.IsScalar() ? fcl::Vector3d::Constant(yaml.number(node, key))
+                                                  : yaml.vector<3>(node, key, {"x", "y", "z"});
             if (scale.minCoeff() <= 0.)
             {
                 yaml.fail(node, key + " must be greater than 0");

@@ -92,6 +92,19 @@ namespace ompl_mfa::collision
             EXPECT_EQ(static_cast<const MeshGeometry &>(*scene.objects()[1].geometry).num_tris, 4);
         }
 
+        TEST_F(TextSceneTest, MayHaveABlankNameAndWindowsLineEnds)
+        {
+            const std::string unnamed = newer.substr(newer.find('\n'));
+            EXPECT_EQ(load(unnamed).objects().size(), 2U);
+            std::string windows = newer;
+            for (std::size_t at = windows.find('\n'); at != std::string::npos; at = windows.find('\n', at + 2))
+            {
+                windows.insert(at, "\r");
+            }
+            ASSERT_EQ(load(windows).objects().size(), 2U);
+            EXPECT_EQ(load(windows).objects()[0].id, "table");
+        }
+
         TEST_F(TextSceneTest, MayBeARobot)
         {
             EXPECT_EQ(loadRobot(folder_.write("robot.scene", newer), RobotCentring::VertexMean).shapes().size(), 2U);
