@@ -1,6 +1,8 @@
 #include "ompl_mfa/planner/Query.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include <ompl/base/goals/GoalLazySamples.h>
@@ -17,18 +19,68 @@ namespace ompl_mfa
         /* Goal states beyond these add little, and each costs a motion check from every start. */
         constexpr std::size_t MAX_GOALS = 1000;
 
-        const ob::State *goalStateOf(const ob::GoalPtr &goal)
+        bool isListed(const ob::Goal &goal)
         {
-            const auto *goalState = dynamic_cast<const ob::GoalState *>(goal.get());
-            return goalState != nullptr ? goalState->getState() : nullptr;
+            return dynamic_cast<const ob::GoalStates *>(&goal) != nullptr ||
+                   dynamic_cast<const ob::GoalState *>(&goal) != nullptr;
+        }
+
+        std::size_t listedCount(const ob::Goal &goal)
+        {
+            if (const auto *states = dynamic_cast<const ob::GoalStates *>(&goal))
+                return states->getStateCount();
+            return goal.as<ob::GoalState>()->getState() != nullptr ? 1 : 0;
+        }
+
+        const ob::State *listedState(const ob::Goal &goal, std::size_t i)
+        {
+            if (const auto *states = dynamic_cast<const ob::GoalStates *>(&goal))
+                return states->getState(static_cast<unsigned int>(i));
+            return goal.as<ob::GoalState>()->getState();
+        }
+
+        /* OMPL takes what is not a number for a coordinate within any bounds of R^n. */
+        bool isFinite(const ob::StateSpace &space, const ob::State *state)
+        {
+            std::vector<double> coordinates;
+            space.copyToReals(coordinates, state);
+            return std::all_of(coordinates.begin(), coordinates.end(), [](double x) { return std::isfinite(x); });
+        }
+
+        /* Whether one of count states equals state. The search begins behind the last that was found, so that two lists
+           in the same order are compared in one pass. */
+        template <typename StateAt>
+        bool isAmong(std::size_t count, const StateAt &stateAt, const ob::StateSpace &space, const ob::State *state,
+                     std::size_t &last)
+        {
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                const std::size_t k = (last + 1 + i) % count;
+                if (space.equalStates(stateAt(k), state))
+                {
+                    last = k;
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        bool isAmong(const Waypoints &states, const ob::State *state, std::size_t &last)
+        {
+            return isAmong(
+                states.size(), [&](std::size_t k) { return states[k]; }, *states.space(), state, last);
+        }
+
+        bool isAmong(const Waypoints &states, const ob::State *state)
+        {
+            std::size_t last = 0;
+            return isAmong(states, state, last);
         }
     }  // namespace
 
     Query::Query(const ob::StateSpacePtr &space)
       : starts_(space)
       , goals_(space)
-      , askedStarts_(space)
-      , askedGoal_(space)
     {
     }
 
@@ -36,30 +88,58 @@ namespace ompl_mfa
 
     bool Query::differsFrom(const ob::ProblemDefinition &pdef) const
     {
-        if (pdef.getGoal() != goal_ || pdef.getOptimizationObjective() != askedObjective_ ||
-            pdef.getStartStateCount() < askedStarts_.size())
+        if (pdef.getGoal() != goal_ || pdef.getOptimizationObjective() != askedObjective_)
             return true;
-        const auto &space = starts_.space();
-        // start states that were only added are read as they come
-        for (unsigned int i = 0; i < askedStarts_.size(); ++i)
+        const auto startAt = [&](std::size_t k) { return pdef.getStartState(static_cast<unsigned int>(k)); };
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < starts_.size(); ++i)
         {
-            if (!space->equalStates(pdef.getStartState(i), askedStarts_[i]))
+            if (!isAmong(pdef.getStartStateCount(), startAt, *starts_.space(), starts_[i], last))
                 return true;
         }
-        const ob::State *goalState = goalStateOf(goal_);
-        return goalState != nullptr && (askedGoal_.empty() || !space->equalStates(goalState, askedGoal_.front()));
+        return !goalsStillHold();
+    }
+
+    bool Query::goalsStillHold() const
+    {
+        if (goals_.empty())
+            return true;
+        if (isListed(*goal_))
+        {
+            const auto goalAt = [this](std::size_t k) { return listedState(*goal_, k); };
+            const std::size_t count = listedCount(*goal_);
+            std::size_t last = 0;
+            for (std::size_t i = 0; i < goals_.size(); ++i)
+            {
+                if (!isAmong(count, goalAt, *goals_.space(), goals_[i], last))
+                    return false;
+            }
+            return true;
+        }
+        // what a sampler makes need not satisfy the goal; what did has to do so still
+        for (std::size_t i = 0; i < goals_.size(); ++i)
+        {
+            if (satisfied_[i] && !goal_->isSatisfied(goals_[i]))
+                return false;
+        }
+        return true;
+    }
+
+    bool Query::isAnsweredBy(const Waypoints &path) const
+    {
+        return isAmong(starts_, path.front()) && (isAmong(goals_, path.back()) || goal_->isSatisfied(path.back()));
     }
 
     void Query::reset()
     {
         starts_.clear();
         goals_.clear();
-        askedStarts_.clear();
-        askedGoal_.clear();
+        satisfied_.clear();
         goal_.reset();
         askedObjective_.reset();
         goalSearch_.reset();
-        polls_ = nextGoalPoll_ = 0;
+        listed_ = 0;
+        polls_ = nextGoalPoll_ = sampled_ = 0;
     }
 
     void Query::reset(const ob::ProblemDefinition &pdef)
@@ -67,10 +147,6 @@ namespace ompl_mfa
         reset();
         goal_ = pdef.getGoal();
         askedObjective_ = pdef.getOptimizationObjective();
-        for (unsigned int i = 0; i < pdef.getStartStateCount(); ++i)
-            askedStarts_.append(pdef.getStartState(i));
-        if (const ob::State *goalState = goalStateOf(goal_))
-            askedGoal_.append(goalState);
     }
 
     ob::PlannerStatus::StatusType Query::begin(ob::PlannerInputStates &inputs,
@@ -82,8 +158,12 @@ namespace ompl_mfa
             OMPL_ERROR("MFA: the goal neither can be sampled nor tells distances (it is not a GoalRegion)");
             return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
         }
+        si_ = si;
+        // everything is read again, and taken if it is not known yet: states may have been replaced
+        inputs.restart();
+        listed_ = 0;
         while (const ob::State *start = inputs.nextStart())
-            starts_.append(start);
+            takeStart(start);
         if (starts_.empty())
         {
             OMPL_ERROR("MFA: there are no valid start states");
@@ -95,65 +175,106 @@ namespace ompl_mfa
                 goalSearch_ = std::make_unique<GoalSearch>(chart, si, goal_, starts_.front(), seed);
             return ob::PlannerStatus::EXACT_SOLUTION;
         }
-        if (goals_.empty())
+        if (!goals_.empty())
         {
-            if (!goal_->as<ob::GoalSampleableRegion>()->couldSample())
-            {
-                OMPL_ERROR("MFA: the goal cannot be sampled");
-                return ob::PlannerStatus::INVALID_GOAL;
-            }
-            return awaitGoal(inputs, ptc);
+            if (isListed(*goal_))
+                skipKnownGoals();
+            return ob::PlannerStatus::EXACT_SOLUTION;
         }
-        return ob::PlannerStatus::EXACT_SOLUTION;
+        if (!goal_->as<ob::GoalSampleableRegion>()->couldSample())
+        {
+            OMPL_ERROR("MFA: the goal cannot be sampled");
+            return ob::PlannerStatus::INVALID_GOAL;
+        }
+        return awaitGoal(inputs, ptc);
     }
 
     ob::PlannerStatus::StatusType Query::awaitGoal(ob::PlannerInputStates &inputs,
                                                    const ob::PlannerTerminationCondition &ptc)
     {
-        const bool listed = dynamic_cast<const ob::GoalState *>(goal_.get()) != nullptr ||
-                            dynamic_cast<const ob::GoalStates *>(goal_.get()) != nullptr;
         const auto *lazy = dynamic_cast<const ob::GoalLazySamples *>(goal_.get());
         for (;;)
         {
             // asked before the goals are read: what its thread adds until it ends is not missed
-            const bool moreToCome = !listed || (lazy != nullptr && lazy->isSampling());
-            if (const ob::State *goal = inputs.nextGoal())
-            {
-                goals_.append(goal);
+            const bool moreToCome = !isListed(*goal_) || (lazy != nullptr && lazy->isSampling());
+            if (readGoal(inputs, ptc))
                 return ob::PlannerStatus::EXACT_SOLUTION;
-            }
-            if (!moreToCome && !inputs.haveMoreGoalStates())
+            if (!moreToCome && !haveMoreGoals(inputs))
             {
                 OMPL_ERROR("MFA: there are no valid goal states");
                 return ob::PlannerStatus::INVALID_GOAL;
             }
             if (ptc())
                 return ob::PlannerStatus::TIMEOUT;
-            if (!inputs.haveMoreGoalStates())
+            if (!haveMoreGoals(inputs))
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
     }
 
     bool Query::goalsComplete() const
     {
-        if (const auto *lazy = dynamic_cast<const ob::GoalLazySamples *>(goal_.get()))
-            return !lazy->isSampling() && lazy->getStateCount() <= goals_.size();
-        if (const auto *listed = dynamic_cast<const ob::GoalStates *>(goal_.get()))
-            return listed->getStateCount() <= goals_.size();
-        return dynamic_cast<const ob::GoalState *>(goal_.get()) != nullptr;
+        if (!isListed(*goal_))
+            return false;
+        const auto *lazy = dynamic_cast<const ob::GoalLazySamples *>(goal_.get());
+        return (lazy == nullptr || !lazy->isSampling()) && listedCount(*goal_) <= listed_;
     }
 
-    bool Query::pollGoal(ob::PlannerInputStates &inputs, const ob::PlannerTerminationCondition &ptc)
+    bool Query::haveMoreGoals(const ob::PlannerInputStates &inputs) const
+    {
+        return isListed(*goal_) ? listed_ < listedCount(*goal_) : inputs.haveMoreGoalStates();
+    }
+
+    bool Query::takeStart(const ob::State *state)
+    {
+        if (!isFinite(*starts_.space(), state) || isAmong(starts_, state))
+            return false;
+        starts_.append(state);
+        return true;
+    }
+
+    bool Query::takeGoal(const ob::State *state)
+    {
+        if (!isFinite(*goals_.space(), state) || isAmong(goals_, state))
+            return false;
+        goals_.append(state);
+        satisfied_.push_back(goal_->isSatisfied(state));
+        return true;
+    }
+
+    void Query::skipKnownGoals()
+    {
+        std::size_t last = goals_.size() - 1;
+        while (listed_ < listedCount(*goal_) && isAmong(goals_, listedState(*goal_, listed_), last))
+            ++listed_;
+    }
+
+    bool Query::readListedGoal()
+    {
+        if (listed_ >= listedCount(*goal_))
+            return false;
+        const ob::State *state = listedState(*goal_, listed_++);
+        if (si_->satisfiesBounds(state) && si_->isValid(state))
+            return takeGoal(state);
+        OMPL_WARN("MFA: Skipping invalid goal state %zu", listed_);
+        return false;
+    }
+
+    bool Query::readGoal(ob::PlannerInputStates &inputs, const ob::PlannerTerminationCondition &ptc)
     {
         if (goals_.size() >= MAX_GOALS)
             return false;
+        if (isListed(*goal_))
+            return readListedGoal();
+        Waypoints found(goals_.space());
         if (goalSearch_)
-            return goalSearch_->advance(ptc, goals_);
-        const ob::State *goal = inputs.nextGoal();
-        if (goal == nullptr)
+            goalSearch_->advance(ptc, found);
+        else if (const ob::State *sample = inputs.nextGoal())
+            found.append(sample);
+        if (found.empty())
             return false;
-        goals_.append(goal);
-        return true;
+        // a region without end is sampled ever more rarely
+        nextGoalPoll_ = polls_ + ++sampled_;
+        return takeGoal(found.front());
     }
 
     bool Query::poll(ob::PlannerInputStates &inputs, const ob::PlannerTerminationCondition &ptc)
@@ -162,21 +283,12 @@ namespace ompl_mfa
         if (inputs.haveMoreStartStates())
         {
             if (const ob::State *start = inputs.nextStart())
-            {
-                starts_.append(start);
-                arrived = true;
-            }
+                arrived = takeStart(start);
         }
-        // a region without end is sampled ever more rarely, listed goals are taken as soon as they are there
-        if (!goalSearch_ && !inputs.haveMoreGoalStates())
+        if (!goalSearch_ && !haveMoreGoals(inputs))
             return arrived;
-        if (polls_++ >= nextGoalPoll_)
-        {
-            const bool found = pollGoal(inputs, ptc);
-            const bool listed = dynamic_cast<const ob::GoalStates *>(goal_.get()) != nullptr;
-            nextGoalPoll_ = !found || listed ? polls_ : polls_ + goals_.size();
-            arrived = arrived || found;
-        }
+        if (polls_++ >= nextGoalPoll_ && readGoal(inputs, ptc))
+            arrived = true;
         return arrived;
     }
 }  // namespace ompl_mfa

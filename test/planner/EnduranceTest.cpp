@@ -145,6 +145,39 @@ namespace ompl_mfa
             ompl::msg::setLogLevel(level);
         }
 
+        /* A server that keeps its planner asks the same question in one problem definition after the other. */
+        TEST_P(Endurance, TheSameQueryInAThousandProblemDefinitionsDoesNotGrow)
+        {
+            const auto level = ompl::msg::getLogLevel();
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+            problem_ = test::freeProblem();
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            goals->addState(problem_->state({9.0, 1.0}));
+            goals->addState(problem_->state({9.0, 2.0}));
+            const auto planner = test::makePlanner(problem_->si, GetParam());
+            std::size_t early = 0;
+            std::size_t motions = 0;
+            for (int i = 0; i < 1000; ++i)
+            {
+                const auto pdef = std::make_shared<ob::ProblemDefinition>(problem_->si);
+                pdef->addStartState(problem_->state({1.0, 1.0}));
+                pdef->addStartState(problem_->state({1.0, 1.0}));
+                pdef->setGoal(goals);
+                planner->setProblemDefinition(pdef);
+                ASSERT_EQ(planner->solve(test::afterCalls(200)), ob::PlannerStatus::EXACT_SOLUTION);
+                ASSERT_TRUE(pdef->hasExactSolution());
+                if (i == 200)
+                {
+                    early = bytesInUse();
+                    motions = problem_->counted.motions;
+                }
+            }
+            EXPECT_LT(bytesInUse(), early + 16 * 1024);
+            // the path to the nearer goal is the best possible: there is only its own motion to check again
+            EXPECT_LE(problem_->counted.motions, motions + 800);
+            ompl::msg::setLogLevel(level);
+        }
+
         TEST_P(Endurance, AThousandPlannersLeaveNothing)
         {
             const auto level = ompl::msg::getLogLevel();

@@ -1,5 +1,7 @@
 #include "ompl_mfa/planner/Query.h"
 
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -30,6 +32,13 @@ namespace ompl_mfa
                 return query_.begin(inputs_, never_, chart_, problem_->si, 1);
             }
 
+            /* Another query. */
+            void beginAgain()
+            {
+                query_.reset(*pdef_);
+                ASSERT_EQ(begin(), ob::PlannerStatus::EXACT_SOLUTION);
+            }
+
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
             ob::ProblemDefinitionPtr pdef_ = problem_->pdef;
             StateChartPtr chart_ = std::make_shared<const StateChart>(problem_->si->getStateSpace());
@@ -49,22 +58,158 @@ namespace ompl_mfa
 
         TEST_F(QueryTest, NoticesWhatChanges)
         {
+            begin();
             EXPECT_FALSE(query_.differsFrom(*pdef_));
             pdef_->addStartState(problem_->state({2.0, 2.0}));
             EXPECT_FALSE(query_.differsFrom(*pdef_)) << "an added start needs no new search";
             pdef_->clearStartStates();
             pdef_->addStartState(problem_->state({2.0, 2.0}));
             EXPECT_TRUE(query_.differsFrom(*pdef_));
-            query_.reset(*pdef_);
+            beginAgain();
             EXPECT_FALSE(query_.differsFrom(*pdef_));
             pdef_->setGoalState(problem_->state({8.0, 2.0}));
             EXPECT_TRUE(query_.differsFrom(*pdef_));
-            query_.reset(*pdef_);
+            beginAgain();
             pdef_->getGoal()->as<ob::GoalState>()->setState(problem_->state({8.0, 3.0}));
             EXPECT_TRUE(query_.differsFrom(*pdef_)) << "the state of the same goal object";
-            query_.reset(*pdef_);
+            beginAgain();
             pdef_->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(problem_->si));
             EXPECT_TRUE(query_.differsFrom(*pdef_));
+        }
+
+        /* OMPL reads all states again when the problem definition is another one. */
+        TEST_F(QueryTest, TheSameStatesInAnotherProblemDefinitionAreKnown)
+        {
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            for (const double y : {1.0, 2.0, 1.0})
+                goals->addState(problem_->state({9.0, y}));
+            pdef_->setGoal(goals);
+            query_.reset(*pdef_);
+            for (int i = 0; i < 20; ++i)
+            {
+                const auto next = std::make_shared<ob::ProblemDefinition>(problem_->si);
+                for (const double x : {1.0, 2.0, 1.0})
+                    next->addStartState(problem_->state({x, 1.0}));
+                next->setGoal(goals);
+                ASSERT_FALSE(query_.differsFrom(*next));
+                inputs_.use(next);
+                ASSERT_EQ(begin(), ob::PlannerStatus::EXACT_SOLUTION);
+                for (int k = 0; k < 5; ++k)
+                    query_.poll(inputs_, never_);
+                EXPECT_EQ(query_.starts().size(), 2U);
+                EXPECT_EQ(query_.goals().size(), 2U);
+                EXPECT_TRUE(query_.goalsComplete());
+            }
+        }
+
+        TEST_F(QueryTest, TheOrderOfStatesMakesNoDifference)
+        {
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            for (const double y : {1.0, 2.0, 3.0})
+                goals->addState(problem_->state({9.0, y}));
+            pdef_->addStartState(problem_->state({2.0, 1.0}));
+            pdef_->setGoal(goals);
+            beginAgain();
+            for (int k = 0; k < 5; ++k)
+                query_.poll(inputs_, never_);
+            ASSERT_EQ(query_.goals().size(), 3U);
+            goals->clear();
+            for (const double y : {3.0, 1.0, 2.0})
+                goals->addState(problem_->state({9.0, y}));
+            pdef_->clearStartStates();
+            for (const double x : {2.0, 1.0})
+                pdef_->addStartState(problem_->state({x, 1.0}));
+            EXPECT_FALSE(query_.differsFrom(*pdef_));
+            goals->clear();
+            for (const double y : {3.0, 1.0})
+                goals->addState(problem_->state({9.0, y}));
+            EXPECT_TRUE(query_.differsFrom(*pdef_));
+        }
+
+        TEST_F(QueryTest, InvalidListedGoalsAreReadButNotTaken)
+        {
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            for (const double x : {5.0, 11.0, 9.0})
+                goals->addState(problem_->state({x, 1.0}));
+            pdef_->setGoal(goals);
+            beginAgain();
+            query_.poll(inputs_, never_);
+            EXPECT_EQ(query_.goals().size(), 1U);
+            EXPECT_TRUE(query_.goalsComplete()) << "those that are invalid cannot come any more";
+        }
+
+        TEST_F(QueryTest, AStateThatIsNoNumberIsNoneToPlanFrom)
+        {
+            const double nan = std::numeric_limits<double>::quiet_NaN();
+            pdef_->clearStartStates();
+            pdef_->addStartState(problem_->state({1.0, nan}));
+            query_.reset(*pdef_);
+            EXPECT_EQ(begin(), ob::PlannerStatus::INVALID_START);
+            pdef_->addStartState(problem_->state({1.0, 1.0}));
+            pdef_->setGoalState(problem_->state({nan, 1.0}));
+            query_.reset(*pdef_);
+            EXPECT_EQ(begin(), ob::PlannerStatus::INVALID_GOAL);
+        }
+
+        /* A region of one point, and one of a few: what comes again is known. */
+        TEST_F(QueryTest, SampledGoalsAreTakenOnceToo)
+        {
+            class Points : public ob::GoalSampleableRegion
+            {
+            public:
+                Points(const ob::SpaceInformationPtr &si, unsigned int points)
+                  : GoalSampleableRegion(si)
+                  , points_(points)
+                {
+                }
+
+                void sampleGoal(ob::State *state) const override
+                {
+                    double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                    values[0] = 9.0;
+                    values[1] = 1.0 + samples++ % points_;
+                }
+
+                unsigned int maxSampleCount() const override
+                {
+                    return std::numeric_limits<unsigned int>::max();
+                }
+
+                double distanceGoal(const ob::State *state) const override
+                {
+                    return std::abs(test::coordinate(state, 0) - 9.0);
+                }
+
+                mutable unsigned int samples{0};
+
+            private:
+                unsigned int points_;
+            };
+            for (const unsigned int points : {1U, 3U})
+            {
+                const auto region = std::make_shared<Points>(problem_->si, points);
+                pdef_->setGoal(region);
+                beginAgain();
+                for (int k = 0; k < 1000; ++k)
+                    query_.poll(inputs_, never_);
+                EXPECT_EQ(query_.goals().size(), points);
+                EXPECT_GT(region->samples, points);
+                EXPECT_LT(region->samples, 100U) << "sampled ever more rarely";
+                EXPECT_FALSE(query_.goalsComplete());
+            }
+        }
+
+        TEST_F(QueryTest, APathAnswersItFromAStartToTheGoal)
+        {
+            pdef_->setGoal(std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({9.0, 1.0}).get(), 0.5));
+            beginAgain();
+            Waypoints path(problem_->si->getStateSpace());
+            path.append(problem_->state({1.0, 1.0}).get());
+            EXPECT_FALSE(query_.isAnsweredBy(path));
+            path.append(problem_->state({9.0, 1.25}).get());
+            EXPECT_TRUE(query_.isAnsweredBy(path)) << "the goal is satisfied there";
+            path.reverse();
+            EXPECT_FALSE(query_.isAnsweredBy(path));
         }
 
         TEST_F(QueryTest, StartsMayBeAddedLater)

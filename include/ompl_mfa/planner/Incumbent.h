@@ -63,6 +63,12 @@ namespace ompl_mfa
             return partialDistance_;
         }
 
+        /** \brief Corrects the distance of the partial path's end, after the goal changed. */
+        void setPartialDistance(double distance)
+        {
+            partialDistance_ = distance;
+        }
+
         /** \brief Keeps the first \e count states of \e path and \e last, if \e last is nearer to the goal. */
         bool offerPartial(const Waypoints &path, std::size_t count, const ompl::base::State *last, double distance);
 

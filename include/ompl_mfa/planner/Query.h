@@ -15,24 +15,32 @@
 
 namespace ompl_mfa
 {
-    /** \brief The start and goal states of a problem definition, as they are known so far. Goals may arrive late. */
+    /** \brief The start and goal states of a problem definition that are known so far, each of them once. Goals may
+        arrive late. The problem definition may be another one in each solve(), and its states and its goal may change
+       in place in between: what is known is kept for as long as all of it still is asked for. */
     class Query
     {
     public:
         explicit Query(const ompl::base::StateSpacePtr &space);
         ~Query();
 
-        /** \brief Whether \e pdef asks something else than when reset() was last called: other start states, another
-            goal or goal state, or another objective. */
+        /** \brief Whether \e pdef asks something else than what is known answers: another goal or objective, or one of
+            starts() or goals() is no start or no goal state any more. States that were only added, and the order of
+            states, make no difference. */
         bool differsFrom(const ompl::base::ProblemDefinition &pdef) const;
+
+        /** \brief Whether \e path begins at one of starts() and ends at one of goals() or where the goal is satisfied
+            otherwise. */
+        bool isAnsweredBy(const Waypoints &path) const;
 
         /** \brief Forgets all states and remembers what \e pdef asks. */
         void reset(const ompl::base::ProblemDefinition &pdef);
         void reset();
 
-        /** \brief Reads all start states and waits for a first goal state where the goal can be sampled. Returns
-            EXACT_SOLUTION if planning can begin, else the status that says why not. A goal that cannot be sampled but
-            tells distances is searched for with fireflies, a generation at a time, by poll(). */
+        /** \brief To be called at the beginning of each solve(): reads all start states and waits for a first goal
+            state where the goal can be sampled and none is known. Returns EXACT_SOLUTION if planning can begin, else
+            the status that says why not. A goal that cannot be sampled but tells distances is searched for with
+            fireflies, a generation at a time, by poll(). */
         ompl::base::PlannerStatus::StatusType begin(ompl::base::PlannerInputStates &inputs,
                                                     const ompl::base::PlannerTerminationCondition &ptc,
                                                     const StateChartPtr &chart,
@@ -63,17 +71,29 @@ namespace ompl_mfa
         /** \brief Waits for a first valid goal state, but not for one that cannot come. */
         ompl::base::PlannerStatus::StatusType awaitGoal(ompl::base::PlannerInputStates &inputs,
                                                         const ompl::base::PlannerTerminationCondition &ptc);
-        bool pollGoal(ompl::base::PlannerInputStates &inputs, const ompl::base::PlannerTerminationCondition &ptc);
+
+        /** \brief Whether a goal state can be read at once, valid or not. */
+        bool haveMoreGoals(const ompl::base::PlannerInputStates &inputs) const;
+
+        /** \brief Reads a goal state, if there is one; true if it is valid and new. */
+        bool readGoal(ompl::base::PlannerInputStates &inputs, const ompl::base::PlannerTerminationCondition &ptc);
+        bool readListedGoal();
+        void skipKnownGoals();
+        bool takeStart(const ompl::base::State *state);
+        bool takeGoal(const ompl::base::State *state);
+        bool goalsStillHold() const;
 
         Waypoints starts_;
         Waypoints goals_;
-        Waypoints askedStarts_;
+        std::vector<bool> satisfied_;  ///< whether each of goals_ satisfied the goal when it was taken
+        ompl::base::SpaceInformationPtr si_;
         ompl::base::GoalPtr goal_;
-        Waypoints askedGoal_;
         ompl::base::OptimizationObjectivePtr askedObjective_;
         std::unique_ptr<GoalSearch> goalSearch_;
+        std::size_t listed_{0};  ///< states of a goal that lists them which were read in this solve()
         std::uint64_t polls_{0};
         std::uint64_t nextGoalPoll_{0};
+        std::uint64_t sampled_{0};  ///< valid goal states that were sampled or searched for, known ones included
     };
 }  // namespace ompl_mfa
 
