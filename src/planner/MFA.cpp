@@ -67,7 +67,12 @@ namespace ompl_mfa
     void MFA::setup()
     {
         Planner::setup();
+        setup_ = false;  // where the space is refused, it is refused each time
         chart_ = std::make_shared<StateChart>(si_->getStateSpace());
+        if (!std::isfinite(si_->getStateSpace()->getMaximumExtent()))
+            throw ompl::Exception(getName(), "cannot plan in the state space '" + si_->getStateSpace()->getName() +
+                                                 "': its bounds are infinite, or too large for a finite distance");
+        setup_ = true;
     }
 
     void MFA::clear()
@@ -98,9 +103,9 @@ namespace ompl_mfa
         pis_.restart();
     }
 
-    void MFA::prepareQuery()
+    void MFA::prepareQuery(const ob::PlannerTerminationCondition &ptc)
     {
-        if (evaluator_ && !query_->differsFrom(*pdef_))
+        if (evaluator_ && !query_->differsFrom(*pdef_) && bestPathHolds(ptc))
             return;
         if (evaluator_)
         {
@@ -131,6 +136,27 @@ namespace ompl_mfa
         return query_->begin(pis_, ptc, chart_, si_, runSeed_);
     }
 
+    /* What an earlier solve() found may not hold any more: goals change in place, and so do the validity checker's
+       answers. Where the stop condition leaves no time to check, the path is taken as it was. */
+    bool MFA::bestPathHolds(const ob::PlannerTerminationCondition &ptc)
+    {
+        const bool exact = incumbent_->hasPath();
+        const Waypoints &path = exact ? incumbent_->path() : incumbent_->partialPath();
+        if (path.empty())
+            return true;
+        if (exact && !query_->isAnsweredBy(path))
+            return false;
+        if (!exact)
+        {
+            double distance = 0.0;
+            query_->goal()->isSatisfied(path.back(), &distance);
+            incumbent_->setPartialDistance(distance);
+        }
+        const StopConditionScope stopCondition(*evaluator_, ptc);
+        return evaluator_->stopped() || (evaluator_->checkState(path.front()) && evaluator_->checkPath(path)) ||
+               evaluator_->interrupted();
+    }
+
     ob::PlannerStatus MFA::solve(const ob::PlannerTerminationCondition &ptc)
     {
         checkValidity();
@@ -147,7 +173,7 @@ namespace ompl_mfa
 
     ob::PlannerStatus MFA::search(const ob::PlannerTerminationCondition &ptc)
     {
-        prepareQuery();
+        prepareQuery(ptc);
         const StopConditionScope stopCondition(*evaluator_, ptc);
         const auto status = begin(ptc);
         if (status != ob::PlannerStatus::EXACT_SOLUTION)

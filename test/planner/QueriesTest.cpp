@@ -1,7 +1,11 @@
 /* Starts, goals, conditions and the statuses that MFA returns for them. */
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -271,6 +275,398 @@ namespace ompl_mfa
             EXPECT_DOUBLE_EQ(planner_->bestCost(), 8.0);
             EXPECT_EQ(path().getStateCount(), 2U);
             EXPECT_LT(problem_->counted.motions, 10U);
+        }
+
+        /* Goals and starts that change between two calls of solve(), in place or with the problem definition. */
+        class ChangedQueries : public Queries
+        {
+        protected:
+            ChangedQueries()
+            {
+                planner_ = problem_->planner(GetParam());
+            }
+
+            /* Solves once more and expects a path to the goal as it is now. */
+            void expectExactAgain(double x, double y)
+            {
+                problem_->pdef->clearSolutionPaths();
+                expectExact(planner_->solve(test::untilExact(problem_->pdef)));
+                if (::testing::Test::HasFatalFailure())
+                    return;
+                EXPECT_EQ(test::coordinate(pathEnd(), 0), x);
+                EXPECT_EQ(test::coordinate(pathEnd(), 1), y);
+            }
+
+            void solveOnce()
+            {
+                ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            }
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, ChangedQueries, ::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                 test::EngineName());
+
+        TEST_P(ChangedQueries, ListedGoalsMayBeClearedAndFilledAgain)
+        {
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            goals->addState(problem_->state({9.0, 1.0}));
+            problem_->pdef->setGoal(goals);
+            solveOnce();
+            goals->clear();
+            goals->addState(problem_->state({9.0, 9.0}));
+            expectExactAgain(9.0, 9.0);
+        }
+
+        TEST_P(ChangedQueries, AListedGoalMayGo)
+        {
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            goals->addState(problem_->state({1.0, 3.0}));
+            goals->addState(problem_->state({9.0, 1.0}));
+            problem_->pdef->setGoal(goals);
+            solveOnce();
+            goals->clear();
+            goals->addState(problem_->state({9.0, 1.0}));
+            expectExactAgain(9.0, 1.0);
+        }
+
+        TEST_P(ChangedQueries, AListedGoalThatIsAddedIsRead)
+        {
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            goals->addState(problem_->state({9.0, 1.0}));
+            goals->addState(problem_->state({9.0, 2.0}));
+            problem_->pdef->setGoal(goals);
+            solveOnce();
+            const std::uint64_t evaluations = planner_->evaluations();
+            goals->addState(problem_->state({1.0, 3.0}));
+            planner_->solve(test::afterCalls(2000));
+            EXPECT_EQ(planner_->bestCost(), 2.0);
+            EXPECT_GE(planner_->evaluations(), evaluations) << "the search went on";
+        }
+
+        TEST_P(ChangedQueries, AGoalStateMayBeSetAnew)
+        {
+            solveOnce();
+            problem_->pdef->getGoal()->as<ob::GoalState>()->setState(problem_->state({9.0, 9.0}));
+            expectExactAgain(9.0, 9.0);
+        }
+
+        TEST_P(ChangedQueries, AnInvalidGoalStateMayBeReplaced)
+        {
+            problem_->pdef->setGoalState(problem_->state({5.0, 1.0}));
+            EXPECT_EQ(planner_->solve(test::afterCalls(1000)), ob::PlannerStatus::INVALID_GOAL);
+            problem_->pdef->getGoal()->as<ob::GoalState>()->setState(problem_->state({9.0, 9.0}));
+            expectExactAgain(9.0, 9.0);
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            goals->addState(problem_->state({9.0, 1.0}));
+            goals->addState(problem_->state({5.0, 1.0}));
+            problem_->pdef->setGoal(goals);
+            expectExactAgain(9.0, 1.0);
+            goals->clear();
+            goals->addState(problem_->state({9.0, 1.0}));
+            goals->addState(problem_->state({1.0, 3.0}));
+            planner_->solve(test::afterCalls(2000));
+            EXPECT_EQ(planner_->bestCost(), 2.0);
+        }
+
+        TEST_P(ChangedQueries, LazyGoalsMayBeClearedAndFilledAgain)
+        {
+            const auto goals = std::make_shared<ob::GoalLazySamples>(
+                problem_->si, [](const ob::GoalLazySamples *, ob::State *) { return false; });
+            goals->stopSampling();
+            goals->addState(problem_->state({9.0, 1.0}).get());
+            problem_->pdef->setGoal(goals);
+            solveOnce();
+            goals->clear();
+            goals->addState(problem_->state({9.0, 9.0}).get());
+            expectExactAgain(9.0, 9.0);
+        }
+
+        /* A square around a center, sampled at the most so many times.
+         */
+        class Patch : public ob::GoalSampleableRegion
+        {
+        public:
+            Patch(const ob::SpaceInformationPtr &si, double x, double y, double width, unsigned int samples)
+              : GoalSampleableRegion(si)
+              , center{x, y}
+              , side(width)
+              , samples_(samples)
+            {
+                setThreshold(1e-9);
+            }
+
+            void sampleGoal(ob::State *state) const override
+            {
+                double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                for (std::size_t i = 0; i < 2; ++i)
+                    values[i] = center[i] + side * rng_.uniformReal(-0.5, 0.5);
+            }
+
+            unsigned int maxSampleCount() const override
+            {
+                return samples_;
+            }
+
+            double distanceGoal(const ob::State *state) const override
+            {
+                const double dx = std::abs(test::coordinate(state, 0) - center[0]) - 0.5 * side;
+                const double dy = std::abs(test::coordinate(state, 1) - center[1]) - 0.5 * side;
+                return std::max({0.0, dx, dy});
+            }
+
+            std::array<double, 2> center;
+            double side;
+
+        private:
+            unsigned int samples_;
+            mutable ompl::RNG rng_;
+        };
+
+        TEST_P(ChangedQueries, ASampleableRegionMayMove)
+        {
+            for (const unsigned int samples : {1U, 3U, std::numeric_limits<unsigned int>::max()})
+            {
+                const auto region = std::make_shared<Patch>(problem_->si, 9.0, 1.0, 0.5, samples);
+                problem_->pdef->setGoal(region);
+                problem_->pdef->clearSolutionPaths();
+                solveOnce();
+                region->center = {9.0, 9.0};
+                problem_->pdef->clearSolutionPaths();
+                expectExact(planner_->solve(test::untilExact(problem_->pdef)));
+            }
+        }
+
+        TEST_P(ChangedQueries, ARegionMayShrink)
+        {
+            const auto region = std::make_shared<Patch>(problem_->si, 8.0, 1.0, 4.0, 1000000);
+            problem_->pdef->setGoal(region);
+            solveOnce();
+            planner_->solve(test::afterCalls(2000));
+            region->side = 0.1;
+            problem_->pdef->clearSolutionPaths();
+            expectExact(planner_->solve(test::untilExact(problem_->pdef)));
+            const auto known =
+                std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({9.0, 1.0}).get(), 2.0);
+            problem_->pdef->setGoal(known);
+            problem_->pdef->clearSolutionPaths();
+            solveOnce();
+            known->setThreshold(0.2);
+            problem_->pdef->clearSolutionPaths();
+            expectExact(planner_->solve(test::untilExact(problem_->pdef)));
+        }
+
+        TEST_P(ChangedQueries, ARegionThatGrowsNeedsNoNewSearch)
+        {
+            const auto region = std::make_shared<Patch>(problem_->si, 9.0, 1.0, 0.5, 1000000);
+            problem_->pdef->setGoal(region);
+            solveOnce();
+            const std::uint64_t evaluations = planner_->evaluations();
+            const double cost = planner_->bestCost();
+            region->side = 2.0;
+            planner_->solve(test::afterCalls(300));
+            EXPECT_GE(planner_->evaluations(), evaluations);
+            EXPECT_LE(planner_->bestCost(), cost);
+        }
+
+        TEST_P(ChangedQueries, AnApproximatePathHasItsDistanceToTheGoalAsItIs)
+        {
+            problem_ = test::closedProblem();
+            planner_ = problem_->planner(GetParam());
+            const auto region =
+                std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({9.0, 1.0}).get(), 2.0);
+            problem_->pdef->setGoal(region);
+            for (const double threshold : {2.0, 1.0})
+            {
+                region->setThreshold(threshold);
+                problem_->pdef->clearSolutionPaths();
+                ASSERT_EQ(planner_->solve(test::afterCalls(20000)), ob::PlannerStatus::APPROXIMATE_SOLUTION);
+                double distance = 0.0;
+                EXPECT_FALSE(region->isSatisfied(pathEnd(), &distance));
+                EXPECT_EQ(problem_->pdef->getSolutionDifference(), distance);
+            }
+        }
+
+        TEST_P(ChangedQueries, AStartThatTheNextProblemDefinitionLacksIsForgotten)
+        {
+            const auto goal = problem_->pdef->getGoal();
+            solveOnce();
+            problem_->pdef->addStartState(problem_->state({8.0, 1.0}));
+            planner_->solve(test::afterCalls(2000));
+            ASSERT_EQ(planner_->bestCost(), 1.0);
+            const auto next = std::make_shared<ob::ProblemDefinition>(problem_->si);
+            next->addStartState(problem_->state({1.0, 1.0}));
+            next->setGoal(goal);
+            problem_->pdef = next;
+            planner_->setProblemDefinition(next);
+            expectExactAgain(9.0, 1.0);
+            EXPECT_EQ(test::coordinate(path().getState(0), 0), 1.0);
+        }
+
+        TEST_P(ChangedQueries, AnInvalidStartMayBeReplaced)
+        {
+            problem_->pdef->addStartState(problem_->state({5.0, 1.0}));
+            solveOnce();
+            problem_->si->copyState(problem_->pdef->getStartState(1), problem_->state({8.0, 1.0}).get());
+            planner_->solve(test::afterCalls(2000));
+            EXPECT_EQ(planner_->bestCost(), 1.0);
+        }
+
+        TEST_P(ChangedQueries, AThresholdOfTheObjectiveIsReadAsItIs)
+        {
+            const auto objective = std::make_shared<ob::PathLengthOptimizationObjective>(problem_->si);
+            objective->setCostThreshold(ob::Cost(100.0));
+            problem_->pdef->setOptimizationObjective(objective);
+            solveOnce();
+            EXPECT_TRUE(problem_->pdef->hasOptimizedSolution());
+            const double cost = planner_->bestCost();
+            objective->setCostThreshold(ob::Cost(0.999 * cost));
+            planner_->solve(test::afterCalls(100000));
+            EXPECT_LE(planner_->bestCost(), 0.999 * cost);
+        }
+
+        /* What the validity checker answers changes between two solves, with and without clear(). */
+        class ChangedWorlds : public ::testing::TestWithParam<test::Engine>
+        {
+        protected:
+            ChangedWorlds()
+              : planner_(problem_.planner(GetParam()))
+            {
+            }
+
+            void expectValidPath()
+            {
+                ASSERT_TRUE(problem_.pdef->hasSolution());
+                EXPECT_TRUE(problem_.path().check());
+            }
+
+            /* Walls between x = 4 and 5 and between 6 and 7 that end at these heights. */
+            double first_{-1.0};
+            double second_{-1.0};
+            test::PlanningProblem problem_{test::realVectorSpace(2, 0.0, 10.0),
+                                           [this](const ob::State *s)
+                                           {
+                                               const double x = test::coordinate(s, 0);
+                                               const double y = test::coordinate(s, 1);
+                                               return !(x > 4.0 && x < 5.0 && y < first_) &&
+                                                      !(x > 6.0 && x < 7.0 && y < second_);
+                                           },
+                                           {1.0, 1.0},
+                                           {9.0, 1.0}};
+            std::shared_ptr<MFA> planner_;
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, ChangedWorlds, ::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                 test::EngineName());
+
+        TEST_P(ChangedWorlds, ABestPathThatIsNoneAnyMoreIsForgotten)
+        {
+            for (const double height : {-1.0, 6.0, 8.0})
+            {
+                first_ = height;
+                problem_.pdef->clearSolutionPaths();
+                ASSERT_EQ(planner_->solve(test::untilExact(problem_.pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+                expectValidPath();
+            }
+        }
+
+        TEST_P(ChangedWorlds, SoIsAPartOfOne)
+        {
+            second_ = 11.0;
+            ASSERT_EQ(planner_->solve(test::afterCalls(20000)), ob::PlannerStatus::APPROXIMATE_SOLUTION);
+            expectValidPath();
+            first_ = 11.0;
+            problem_.pdef->clearSolutionPaths();
+            ASSERT_EQ(planner_->solve(test::afterCalls(20000)), ob::PlannerStatus::APPROXIMATE_SOLUTION);
+            expectValidPath();
+        }
+
+        TEST_P(ChangedWorlds, AStartThatBecameInvalidIsNone)
+        {
+            problem_.pdef->addStartState(problem_.state({4.5, 1.0}));
+            ASSERT_EQ(planner_->solve(test::afterCalls(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+            ASSERT_EQ(planner_->bestCost(), 4.5);
+            first_ = 6.0;
+            problem_.pdef->clearSolutionPaths();
+            ASSERT_EQ(planner_->solve(test::untilExact(problem_.pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            expectValidPath();
+            EXPECT_EQ(test::coordinate(problem_.path().getState(0), 0), 1.0);
+        }
+
+        TEST_P(ChangedWorlds, AfterClearAllIsAsItIs)
+        {
+            first_ = second_ = 6.0;
+            planner_->solve(test::afterCalls(10000));
+            for (const double height : {8.0, -1.0, 3.0, 11.0})
+            {
+                first_ = height;
+                second_ = -1.0;
+                planner_->clear();
+                problem_.pdef->clearSolutionPaths();
+                const auto status = planner_->solve(test::afterCalls(40000));
+                if (height > 10.0)
+                {
+                    EXPECT_EQ(status, ob::PlannerStatus::APPROXIMATE_SOLUTION);
+                }
+                else
+                {
+                    EXPECT_EQ(status, ob::PlannerStatus::EXACT_SOLUTION) << height;
+                    if (height < 1.0)
+                    {
+                        EXPECT_EQ(planner_->bestCost(), 8.0);
+                    }
+                }
+                expectValidPath();
+            }
+        }
+
+        /* Knows a wall exactly, at any resolution. */
+        class WallValidator : public ob::MotionValidator
+        {
+        public:
+            using MotionValidator::MotionValidator;
+
+            bool checkMotion(const ob::State *from, const ob::State *to) const override
+            {
+                const double a = test::coordinate(from, 0) - 5.0;
+                const double b = test::coordinate(to, 0) - 5.0;
+                if ((a < 0.0) == (b < 0.0))
+                    return true;
+                const double y = test::coordinate(from, 1);
+                return y + (test::coordinate(to, 1) - y) * a / (a - b) > 6.0;
+            }
+
+            bool checkMotion(const ob::State *from, const ob::State *to,
+                             std::pair<ob::State *, double> &last) const override
+            {
+                last.second = 0.0;
+                return checkMotion(from, to);
+            }
+        };
+
+        /* In a space without end neither sampling nor a resolution means anything. */
+        TEST_P(Queries, BoundsWithoutAFiniteExtentAreRefusedByName)
+        {
+            for (const double bound : {1e200, std::numeric_limits<double>::max(), HUGE_VAL})
+            {
+                problem_ = std::make_unique<test::PlanningProblem>(
+                    test::realVectorSpace(2, -bound, bound), [](const ob::State *) { return true; },
+                    std::vector<double>{1.0, 1.0}, std::vector<double>{9.0, 1.0});
+                problem_->si->setMotionValidator(std::make_shared<WallValidator>(problem_->si));
+                problem_->si->getStateSpace()->setName("endless");
+                planner_ = problem_->planner(GetParam());
+                for (int i = 0; i < 2; ++i)
+                {
+                    try
+                    {
+                        planner_->solve(test::afterCalls(20000));
+                        ADD_FAILURE() << "accepted: " << bound << ", solve() " << i;
+                    }
+                    catch (const ompl::Exception &error)
+                    {
+                        EXPECT_NE(std::string(error.what()).find("'endless'"), std::string::npos) << error.what();
+                    }
+                }
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa

@@ -164,6 +164,20 @@ namespace ompl_mfa
             }
         }
 
+        TEST_F(Refusal, ComesFromEachSolve)
+        {
+            const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::DiscreteStateSpace>(1, 5));
+            si->setStateValidityChecker([](const ob::State *) { return true; });
+            const auto pdef = std::make_shared<ob::ProblemDefinition>(si);
+            ob::ScopedState<ob::DiscreteStateSpace> gear(si->getStateSpace());
+            gear->value = 2;
+            pdef->setStartAndGoalStates(gear, gear);
+            MFA planner(si);
+            planner.setProblemDefinition(pdef);
+            for (int i = 0; i < 2; ++i)
+                EXPECT_THROW(planner.solve(test::afterCalls(100)), ompl::Exception) << i;
+        }
+
         class UnitSphere : public ob::Constraint
         {
         public:

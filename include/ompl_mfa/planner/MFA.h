@@ -51,8 +51,8 @@ namespace ompl_mfa
         explicit MFA(const ompl::base::SpaceInformationPtr &si);
         ~MFA() override;
 
-        /** \brief Throws ompl::Exception naming the subspace if the state space is not supported. A problem
-            definition need not exist yet. */
+        /** \brief Throws ompl::Exception naming the subspace if the state space is not supported, or the space if
+            its extent is not finite. A problem definition need not exist yet. */
         void setup() override;
         void clear() override;
         void clearQuery() override;
@@ -141,7 +141,8 @@ namespace ompl_mfa
         FireflyOptimizer::Settings swarmSettings() const;
         ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition &ptc);
         ompl::base::PlannerStatus::StatusType begin(const ompl::base::PlannerTerminationCondition &ptc);
-        void prepareQuery();
+        bool bestPathHolds(const ompl::base::PlannerTerminationCondition &ptc);
+        void prepareQuery(const ompl::base::PlannerTerminationCondition &ptc);
         void prepareParts();
         void shareForFirstPath();
         void shareForImprovement();
