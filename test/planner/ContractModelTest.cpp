@@ -1,0 +1,696 @@
+/* Random sequences of calls against a simple model of what docs/planner.md promises: statuses, paths, parameters and
+   what is known of a query, whatever was called before. */
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <ompl/base/goals/GoalLazySamples.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Exception.h>
+
+#include "planner/ConsoleRecord.h"
+#include "planner/DistanceGoal.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        using Point = std::array<double, 2>;
+
+        /* Those with 4.5 < x < 5.5 lie in a wall, if it is high enough. */
+        const std::array<Point, 8> POINTS{{{1, 1}, {2, 2}, {1, 8}, {5, 1}, {9, 1}, {9, 9}, {3, 3}, {5, 5}}};
+
+        enum class Call
+        {
+            SetByText,
+            SetByText2,
+            SetBySetter,
+            SetGuidePlanner,
+            SameQueryElsewhere,
+            NewProblemDefinition,
+            NoProblemDefinition,
+            AddStart,
+            ReplaceStarts,
+            NewGoal,
+            ChangeGoal,
+            ChangeGoal2,
+            AddGoal,
+            NewObjective,
+            ChangeThreshold,
+            ChangeWorld,
+            Clear,
+            ClearQuery,
+            Setup,
+            GetPlannerData,
+            Solve,
+            Solve2,
+            Solve3,
+            Solve4,
+            Solve5,
+            Count
+        };
+
+        struct Command
+        {
+            Call call{};
+            unsigned int a{0};
+            unsigned int b{0};
+        };
+
+        std::ostream &operator<<(std::ostream &out, const Command &command)
+        {
+            static const std::array<const char *, static_cast<std::size_t>(Call::Count)> NAMES{{"SetByText",
+                                                                                                "SetByText",
+                                                                                                "SetBySetter",
+                                                                                                "SetGuidePlanner",
+                                                                                                "SameQueryElsewhere",
+                                                                                                "NewProblemDefinition",
+                                                                                                "NoProblemDefinition",
+                                                                                                "AddStart",
+                                                                                                "ReplaceStarts",
+                                                                                                "NewGoal",
+                                                                                                "ChangeGoal",
+                                                                                                "ChangeGoal",
+                                                                                                "AddGoal",
+                                                                                                "NewObjective",
+                                                                                                "ChangeThreshold",
+                                                                                                "ChangeWorld",
+                                                                                                "Clear",
+                                                                                                "ClearQuery",
+                                                                                                "Setup",
+                                                                                                "GetPlannerData",
+                                                                                                "Solve",
+                                                                                                "Solve",
+                                                                                                "Solve",
+                                                                                                "Solve",
+                                                                                                "Solve"}};
+            return out << NAMES[static_cast<std::size_t>(command.call)] << '(' << command.a << ", " << command.b << ')';
+        }
+
+        /* In [0, end), as likely at the beginning of a test, where RapidCheck keeps to small numbers, as later. */
+        template <typename T>
+        rc::Gen<T> below(T end)
+        {
+            return rc::gen::resize(rc::kNominalSize, rc::gen::inRange<T>(0, end));
+        }
+
+        rc::Gen<std::vector<Command>> anyCommands()
+        {
+            const auto call =
+                rc::gen::map(below(static_cast<int>(Call::Count)), [](int i) { return static_cast<Call>(i); });
+            const auto command =
+                rc::gen::build<Command>(rc::gen::set(&Command::call, call), rc::gen::set(&Command::a, below(64U)),
+                                        rc::gen::set(&Command::b, below(64U)));
+            return rc::gen::scale(2.0, rc::gen::container<std::vector<Command>>(command));
+        }
+
+        /* A square that is sampled. */
+        class Patch : public ob::GoalSampleableRegion
+        {
+        public:
+            Patch(const ob::SpaceInformationPtr &si, const Point &middle, unsigned int samples)
+              : GoalSampleableRegion(si)
+              , center(middle)
+              , samples_(samples)
+            {
+                setThreshold(1e-9);
+            }
+
+            void sampleGoal(ob::State *state) const override
+            {
+                double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                for (std::size_t i = 0; i < 2; ++i)
+                    values[i] = center[i] + side * rng_.uniformReal(-0.5, 0.5);
+            }
+
+            unsigned int maxSampleCount() const override
+            {
+                return samples_;
+            }
+
+            double distanceGoal(const ob::State *state) const override
+            {
+                const double dx = std::abs(test::coordinate(state, 0) - center[0]) - 0.5 * side;
+                const double dy = std::abs(test::coordinate(state, 1) - center[1]) - 0.5 * side;
+                return std::max({0.0, dx, dy});
+            }
+
+            Point center;
+            double side{0.5};
+
+        private:
+            unsigned int samples_;
+            mutable ompl::RNG rng_;
+        };
+
+        /* What a parameter accepts and refuses, as docs/planner.md has it. */
+        struct Values
+        {
+            std::string name;
+            std::vector<std::string> accepted;  ///< as they are read back
+            std::vector<std::string> refused;
+        };
+
+        const std::vector<Values> &parameterValues()
+        {
+            static const std::vector<Values> VALUES{
+                {"variant", {"mfa", "fa"}, {"", "MFA", "0"}},
+                {"population_size", {"0", "4", "9", "25"}, {"1", "2", "3", "10001", "-4"}},
+                {"slices", {"1", "2", "7", "12"}, {"0", "1001", "x"}},
+                {"generations", {"1", "3", "50", "100000"}, {"0", "100001", "1e3"}},
+                {"gamma", {"0", "0.5", "100"}, {"100.5", "-1", "nan"}},
+                {"alpha", {"0", "0.25", "1"}, {"1.01", "inf", "0,5"}},
+                {"eta", {"0", "1", "2"}, {"2.5", "-0.1", ""}},
+                {"guide", {"none", "trees", "roadmap", "both"}, {"all", "", "BOTH"}},
+                {"recombination", {"0", "1"}, {"2", "no", ""}},
+                {"tightening", {"0", "1"}, {"-1", "yes", "10"}},
+                {"seed", {"0", "1", "7", "4294967295"}, {"-1", "4294967296", "1.5"}},
+                {"threads", {"1", "2"}, {"0", "65", "two"}}};
+            return VALUES;
+        }
+
+        /* How many starts there are to be: none, now and then. */
+        unsigned int startsOf(unsigned int a)
+        {
+            return a % 8 == 0 ? 0 : 1 + a % 3;
+        }
+
+        using Parameters = std::map<std::string, std::string>;
+
+        /* The planner, its problem and what the model knows of both. */
+        class Model
+        {
+        public:
+            Model()
+            {
+                std::map<std::string, std::string> defaults;
+                planner_.params().getParams(defaults);
+                set_ = defaults;
+                set("population_size", "9");
+                set("slices", "5");
+                newGoal(0, 4);
+                problem_.pdef->setGoal(goal_);
+                planner_.setProblemDefinition(problem_.pdef);
+            }
+
+            void run(const Command &command);
+
+        private:
+            enum class Kind
+            {
+                State,
+                States,
+                Lazy,
+                Region,
+                Patch
+            };
+
+            ob::ScopedState<> state(const Point &point) const
+            {
+                return problem_.state({point[0], point[1]});
+            }
+
+            bool isValid(const ob::State *state) const
+            {
+                return problem_.si->isValid(state);
+            }
+
+            void set(const std::string &name, const std::string &value);
+            void setBySetter(const Command &command);
+            void setByText(const Command &command);
+            void newGoal(unsigned int a, unsigned int b);
+            void changeGoal(unsigned int a, unsigned int b);
+            void addGoal(const Point &point);
+            void newProblemDefinition(bool same, unsigned int a, unsigned int b);
+            void change(const Command &command);
+            void solve(unsigned int evaluations);
+            bool expectRefusal(const ob::PlannerStatus &status, std::size_t evaluations) const;
+            void expectAnswer(const ob::PlannerStatus &status);
+            void expectShares();
+            void expectPlannerData() const;
+            bool isStart(const ob::State *state) const;
+            bool isGoal(const ob::State *state) const;
+            std::vector<const ob::State *> listedGoals() const;
+
+            /* The query, or its settings, may be new with the next solve(). */
+            void mayRestart()
+            {
+                kept_ = false;
+                searched_ = false;
+            }
+
+            void restarts()
+            {
+                mayRestart();
+                frozen_.clear();
+            }
+
+            double height_{6.0};
+            test::PlanningProblem problem_{test::realVectorSpace(2, 0.0, 10.0),
+                                           [this](const ob::State *s)
+                                           {
+                                               const double x = test::coordinate(s, 0);
+                                               return x <= 4.5 || x >= 5.5 || test::coordinate(s, 1) >= height_;
+                                           },
+                                           {1.0, 1.0},
+                                           {9.0, 1.0}};
+            MFA planner_{problem_.si};
+            Kind kind_{};
+            ob::GoalPtr goal_;
+            bool hasProblem_{true};
+            bool guidePlanner_{false};
+
+            struct Frozen
+            {
+                Parameters parameters;
+                bool guidePlanner;
+            };
+
+            Parameters set_;              ///< as they were set last
+            std::vector<Frozen> frozen_;  ///< one of these the search has
+            bool kept_{false};            ///< nothing happened that may make the next solve() restart
+            bool searched_{false};        ///< the last call that matters was a solve() that searched
+            bool solved_{false};          ///< whether it found a path
+            double cost_{0.0};
+            std::uint64_t evaluations_{0};
+        };
+
+        void Model::set(const std::string &name, const std::string &value)
+        {
+            RC_ASSERT(planner_.params().setParam(name, value));
+            set_[name] = value;
+        }
+
+        void Model::setByText(const Command &command)
+        {
+            const Values &values = parameterValues()[command.a % parameterValues().size()];
+            if (command.b % 4 != 0)
+                return set(values.name, values.accepted[command.b % values.accepted.size()]);
+            RC_ASSERT(!planner_.params().setParam(values.name, values.refused[command.b / 4 % values.refused.size()]));
+        }
+
+        void Model::setBySetter(const Command &command)
+        {
+            const std::vector<double> numbers{0, 1, 0.5, 2, 3, 4, 64, 65, 100, 100.5, 1001, 10001, 100001, -1};
+            const double x = numbers[command.b % numbers.size()];
+            const auto n = static_cast<unsigned int>(std::max(x, 0.0));
+            const auto setting = [&](const std::string &name, bool accepted, const std::string &text, auto setter)
+            {
+                // large ones are tried by text, where they only take long to search with
+                const bool large = accepted && n > 4 && name != "gamma" && name != "generations";
+                if (large)
+                    return;
+                bool thrown = false;
+                try
+                {
+                    setter();
+                }
+                catch (const ompl::Exception &)
+                {
+                    thrown = true;
+                }
+                RC_ASSERT(thrown == !accepted);
+                if (accepted)
+                    set_[name] = text;
+            };
+            std::ostringstream text;
+            text << x;
+            const std::string whole = std::to_string(n);
+            switch (command.a % 7)
+            {
+                case 0:
+                    return setting("population_size", n == 0 || (n >= 4 && n <= 10000), whole,
+                                   [&] { planner_.setPopulationSize(n); });
+                case 1:
+                    return setting("slices", n >= 1 && n <= 1000, whole, [&] { planner_.setSlices(n); });
+                case 2:
+                    return setting("generations", n >= 1 && n <= 100000, whole, [&] { planner_.setGenerations(n); });
+                case 3:
+                    return setting("gamma", x >= 0 && x <= 100, text.str(), [&] { planner_.setGamma(x); });
+                case 4:
+                    return setting("alpha", x >= 0 && x <= 1, text.str(), [&] { planner_.setAlpha(x); });
+                case 5:
+                    return setting("eta", x >= 0 && x <= 2, text.str(), [&] { planner_.setEta(x); });
+                default:
+                    return setting("threads", n >= 1 && n <= 64, whole, [&] { planner_.setThreads(n); });
+            }
+        }
+
+        void Model::newGoal(unsigned int a, unsigned int b)
+        {
+            const Point &point = POINTS[b % POINTS.size()];
+            kind_ = static_cast<Kind>(a % 5);
+            switch (kind_)
+            {
+                case Kind::State:
+                {
+                    const auto goal = std::make_shared<ob::GoalState>(problem_.si);
+                    goal->setState(state(point));
+                    goal_ = goal;
+                    break;
+                }
+                case Kind::States:
+                    goal_ = std::make_shared<ob::GoalStates>(problem_.si);
+                    addGoal(point);
+                    break;
+                case Kind::Lazy:
+                    goal_ = std::make_shared<ob::GoalLazySamples>(
+                        problem_.si, [](const ob::GoalLazySamples *, ob::State *) { return false; }, false);
+                    addGoal(point);
+                    break;
+                case Kind::Region:
+                    goal_ = std::make_shared<test::DistanceGoal>(problem_.si, state(POINTS[4 + b % 3]).get(), 1.0);
+                    break;
+                case Kind::Patch:
+                    // never in the wall: a sampler of invalid states is waited for
+                    goal_ = std::make_shared<Patch>(problem_.si, POINTS[4 + b % 3], b % 2 == 0 ? 2 : 1000000);
+                    break;
+            }
+        }
+
+        void Model::addGoal(const Point &point)
+        {
+            goal_->as<ob::GoalStates>()->addState(state(point).get());
+        }
+
+        void Model::changeGoal(unsigned int a, unsigned int b)
+        {
+            const Point &point = POINTS[b % POINTS.size()];
+            switch (kind_)
+            {
+                case Kind::State:
+                    goal_->as<ob::GoalState>()->setState(state(point));
+                    break;
+                case Kind::States:
+                case Kind::Lazy:
+                    goal_->as<ob::GoalStates>()->clear();
+                    for (unsigned int i = 0; i < a % 3; ++i)
+                        addGoal(POINTS[(b + i) % POINTS.size()]);
+                    break;
+                case Kind::Region:
+                    goal_->as<ob::GoalRegion>()->setThreshold(a % 2 == 0 ? 0.2 : 2.0);
+                    break;
+                case Kind::Patch:
+                    if (a % 2 == 0)
+                        goal_->as<Patch>()->side = b % 2 == 0 ? 0.1 : 0.9;
+                    else
+                        goal_->as<Patch>()->center = POINTS[4 + b % 3];
+                    break;
+            }
+        }
+
+        /* Another problem definition, with the same starts or others. */
+        void Model::newProblemDefinition(bool same, unsigned int a, unsigned int b)
+        {
+            const auto next = std::make_shared<ob::ProblemDefinition>(problem_.si);
+            for (unsigned int i = 0; same && i < problem_.pdef->getStartStateCount(); ++i)
+                next->addStartState(problem_.pdef->getStartState(i));
+            for (unsigned int i = 0; !same && i < startsOf(a); ++i)
+                next->addStartState(state(POINTS[(b + i) % 4]));
+            if (same || a % 8 != 7)
+                next->setGoal(goal_);
+            if (same)
+                next->setOptimizationObjective(problem_.pdef->getOptimizationObjective());
+            problem_.pdef = next;
+            planner_.setProblemDefinition(next);
+        }
+
+        /* What may change the query, or the world. */
+        void Model::change(const Command &command)
+        {
+            mayRestart();
+            switch (command.call)
+            {
+                case Call::NewProblemDefinition:
+                    return newProblemDefinition(false, command.a, command.b);
+                case Call::ReplaceStarts:
+                    problem_.pdef->clearStartStates();
+                    for (unsigned int i = 0; i < startsOf(command.a); ++i)
+                        problem_.pdef->addStartState(state(POINTS[(command.b + i) % 4]));
+                    return;
+                case Call::NewGoal:
+                    restarts();
+                    newGoal(command.a, command.b);
+                    problem_.pdef->setGoal(goal_);
+                    return;
+                case Call::NewObjective:
+                    problem_.pdef->setOptimizationObjective(
+                        std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si));
+                    return;
+                case Call::ChangeWorld:
+                    restarts();
+                    height_ = std::array<double, 4>{{-1.0, 3.0, 6.0, 11.0}}[command.a % 4];
+                    return planner_.clear();
+                case Call::Clear:
+                    restarts();
+                    return planner_.clear();
+                case Call::ClearQuery:
+                    restarts();
+                    return planner_.clearQuery();
+                default:
+                    return changeGoal(command.a, command.b);
+            }
+        }
+
+        void Model::run(const Command &command)
+        {
+            switch (command.call)
+            {
+                case Call::SetByText:
+                case Call::SetByText2:
+                    setByText(command);
+                    break;
+                case Call::SetBySetter:
+                    setBySetter(command);
+                    break;
+                case Call::SetGuidePlanner:
+                    guidePlanner_ = command.a % 2 == 0;
+                    planner_.setGuidePlanner(guidePlanner_ ? [](const ob::SpaceInformationPtr &si) -> ob::PlannerPtr
+                                             { return std::make_shared<og::RRTConnect>(si); }
+                                                           : ob::PlannerAllocator());
+                    break;
+                case Call::SameQueryElsewhere:
+                    newProblemDefinition(true, command.a, command.b);
+                    break;
+                case Call::NoProblemDefinition:
+                    hasProblem_ = false;
+                    planner_.setProblemDefinition(ob::ProblemDefinitionPtr());
+                    solve(command.b);
+                    hasProblem_ = true;
+                    planner_.setProblemDefinition(problem_.pdef);
+                    break;
+                case Call::AddStart:
+                    problem_.pdef->addStartState(state(POINTS[command.a % 4]));
+                    searched_ = false;
+                    break;
+                case Call::AddGoal:
+                    if (kind_ == Kind::States || kind_ == Kind::Lazy)
+                        addGoal(POINTS[command.a % POINTS.size()]);
+                    searched_ = false;
+                    break;
+                case Call::ChangeThreshold:
+                    if (const auto &objective = problem_.pdef->getOptimizationObjective())
+                        objective->setCostThreshold(ob::Cost(command.a % 2 == 0 ? 0.0 : 14.0));
+                    break;
+                case Call::Setup:
+                    planner_.setup();
+                    break;
+                case Call::GetPlannerData:
+                    expectPlannerData();
+                    break;
+                case Call::Solve:
+                case Call::Solve2:
+                case Call::Solve3:
+                case Call::Solve4:
+                case Call::Solve5:
+                    solve(std::array<unsigned int, 5>{{1, 3, 40, 300, 1500}}[command.a % 5]);
+                    break;
+                default:
+                    change(command);
+            }
+            std::map<std::string, std::string> now;
+            planner_.params().getParams(now);
+            RC_ASSERT(now == set_);
+        }
+
+        std::vector<const ob::State *> Model::listedGoals() const
+        {
+            std::vector<const ob::State *> states;
+            if (kind_ == Kind::State)
+                states.push_back(goal_->as<ob::GoalState>()->getState());
+            if (kind_ == Kind::States || kind_ == Kind::Lazy)
+            {
+                for (unsigned int i = 0; i < goal_->as<ob::GoalStates>()->getStateCount(); ++i)
+                    states.push_back(goal_->as<ob::GoalStates>()->getState(i));
+            }
+            return states;
+        }
+
+        bool Model::isStart(const ob::State *state) const
+        {
+            for (unsigned int i = 0; i < problem_.pdef->getStartStateCount(); ++i)
+            {
+                if (problem_.si->equalStates(problem_.pdef->getStartState(i), state))
+                    return true;
+            }
+            return false;
+        }
+
+        bool Model::isGoal(const ob::State *state) const
+        {
+            return goal_->isSatisfied(state);
+        }
+
+        void Model::solve(unsigned int evaluations)
+        {
+            const bool complete = hasProblem_ && problem_.pdef->getStartStateCount() > 0 && problem_.pdef->getGoal();
+            problem_.pdef->clearSolutionPaths();
+            ob::PlannerStatus status;
+            bool thrown = false;
+            try
+            {
+                status = planner_.solve(test::afterCalls(evaluations));
+            }
+            catch (const ompl::Exception &)
+            {
+                thrown = true;
+            }
+            RC_ASSERT(thrown == !complete);
+            if (thrown)
+                return;
+            // where the query may have changed, the search may have the parameters of either
+            if (!kept_ || frozen_.empty())
+                frozen_.push_back({set_, guidePlanner_});
+            if (expectRefusal(status, evaluations))
+            {
+                mayRestart();
+                return;
+            }
+            expectAnswer(status);
+            expectShares();
+            kept_ = searched_ = true;
+            expectPlannerData();
+        }
+
+        /* Whether there is nothing to plan; then the status has to say why. */
+        bool Model::expectRefusal(const ob::PlannerStatus &status, std::size_t evaluations) const
+        {
+            bool validStart = false;
+            for (unsigned int i = 0; i < problem_.pdef->getStartStateCount(); ++i)
+                validStart = validStart || isValid(problem_.pdef->getStartState(i));
+            bool validGoal = kind_ == Kind::Region || kind_ == Kind::Patch;
+            for (const ob::State *goal : listedGoals())
+                validGoal = validGoal || isValid(goal);
+            if (!validStart)
+                RC_ASSERT(status == ob::PlannerStatus::INVALID_START);
+            else if (!validGoal)
+                // a condition may leave no time to look at all of them
+                RC_ASSERT(status == ob::PlannerStatus::INVALID_GOAL ||
+                          (status == ob::PlannerStatus::TIMEOUT && evaluations < listedGoals().size()));
+            return !validStart || !validGoal;
+        }
+
+        void Model::expectAnswer(const ob::PlannerStatus &status)
+        {
+            const auto &pdef = *problem_.pdef;
+            const bool exact = status == ob::PlannerStatus::EXACT_SOLUTION;
+            RC_ASSERT(pdef.hasExactSolution() == exact);
+            if (kept_ && solved_)
+            {
+                RC_ASSERT(exact);
+                RC_ASSERT(planner_.bestCost() <= cost_);
+            }
+            if (kept_)
+                RC_ASSERT(planner_.evaluations() >= evaluations_);
+            RC_ASSERT(exact == std::isfinite(planner_.bestCost()));
+            solved_ = exact;
+            cost_ = planner_.bestCost();
+            evaluations_ = planner_.evaluations();
+            if (!exact && status != ob::PlannerStatus::APPROXIMATE_SOLUTION)
+            {
+                RC_ASSERT(status == ob::PlannerStatus::TIMEOUT);
+                RC_ASSERT(!pdef.hasSolution());
+                return;
+            }
+            auto &path = problem_.path();
+            const ob::State *end = path.getState(path.getStateCount() - 1);
+            RC_ASSERT(path.check());
+            RC_ASSERT(isStart(path.getState(0)));
+            if (exact)
+            {
+                RC_ASSERT(isGoal(end));
+                RC_ASSERT(std::abs(path.length() - cost_) <= 1e-9 * std::max(1.0, cost_));
+                return;
+            }
+            double distance = 0.0;
+            goal_->isSatisfied(end, &distance);
+            RC_ASSERT(pdef.getSolutionDifference() == distance);
+        }
+
+        /* What was switched off when the query began has no share in it. */
+        void Model::expectShares()
+        {
+            const std::vector<double> shares = planner_.shares();
+            const auto isWithout = [&](const Frozen &frozen)
+            {
+                const std::string &guide = frozen.parameters.at("guide");
+                return (frozen.parameters.at("recombination") == "1" || shares[1] == 0.0) &&
+                       (frozen.parameters.at("tightening") == "1" || shares[2] == 0.0) &&
+                       (guide == "both" || guide == "trees" || shares[3] == 0.0) &&
+                       (guide == "both" || guide == "roadmap" || shares[4] == 0.0) &&
+                       (frozen.guidePlanner || shares[5] == 0.0);
+            };
+            RC_ASSERT(std::any_of(frozen_.begin(), frozen_.end(), isWithout));
+        }
+
+        /* Starts and goals are those of the query, each once. */
+        void Model::expectPlannerData() const
+        {
+            ob::PlannerData data(problem_.si);
+            planner_.getPlannerData(data);
+            if (!searched_ || !hasProblem_)
+                return;
+            for (unsigned int i = 0; i < data.numStartVertices(); ++i)
+            {
+                const ob::State *start = data.getStartVertex(i).getState();
+                RC_ASSERT(isStart(start));
+                for (unsigned int k = 0; k < i; ++k)
+                    RC_ASSERT(!problem_.si->equalStates(data.getStartVertex(k).getState(), start));
+            }
+            for (unsigned int i = 0; i < data.numGoalVertices(); ++i)
+            {
+                const ob::State *goal = data.getGoalVertex(i).getState();
+                RC_ASSERT(isGoal(goal));
+                for (unsigned int k = 0; k < i; ++k)
+                    RC_ASSERT(!problem_.si->equalStates(data.getGoalVertex(k).getState(), goal));
+            }
+        }
+
+        RC_GTEST_PROP(ContractModel, HoldsForEverySequenceOfCalls, ())
+        {
+            const auto commands = *anyCommands();
+            const test::ConsoleRecord console;
+            Model model;
+            for (const Command &command : commands)
+                model.run(command);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
