@@ -153,8 +153,13 @@ namespace ompl_mfa
             incumbent_->setPartialDistance(distance);
         }
         const StopConditionScope stopCondition(*evaluator_, ptc);
-        return evaluator_->stopped() || (evaluator_->checkState(path.front()) && evaluator_->checkPath(path)) ||
-               evaluator_->interrupted();
+        const bool holds = evaluator_->stopped() ||
+                           (evaluator_->checkState(path.front()) && evaluator_->checkPath(path)) ||
+                           evaluator_->interrupted();
+        if (!holds)
+            OMPL_INFORM("%s: The path of an earlier solve() is not valid any more; the search restarts",
+                        getName().c_str());
+        return holds;
     }
 
     ob::PlannerStatus MFA::solve(const ob::PlannerTerminationCondition &ptc)

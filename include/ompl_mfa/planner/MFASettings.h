@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_MFA_SETTINGS_
-#define OMPL_MFA_PLANNER_MFA_SETTINGS_
+#ifndef OMPL_MFA_PLANNER_MFASETTINGS_
+#define OMPL_MFA_PLANNER_MFASETTINGS_
 
 #include <string>
 #include <variant>
