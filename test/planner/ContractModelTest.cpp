@@ -315,8 +315,8 @@ namespace ompl_mfa
             const auto setting = [&](const std::string &name, bool accepted, const std::string &text, auto setter)
             {
                 // large ones are tried by text, where they only take long to search with
-                const bool large = accepted && n > 4 && name != "gamma" && name != "generations";
-                if (large)
+                const bool large = n > 4 && (name == "population_size" || name == "slices" || name == "threads");
+                if (accepted && large)
                     return;
                 bool thrown = false;
                 try
@@ -334,7 +334,9 @@ namespace ompl_mfa
             std::ostringstream text;
             text << x;
             const std::string whole = std::to_string(n);
-            switch (command.a % 7)
+            const bool on = command.b % 2 == 0;
+            const std::string guide = on ? "both" : "none";
+            switch (command.a % 10)
             {
                 case 0:
                     return setting("population_size", n == 0 || (n >= 4 && n <= 10000), whole,
@@ -349,6 +351,12 @@ namespace ompl_mfa
                     return setting("alpha", x >= 0 && x <= 1, text.str(), [&] { planner_.setAlpha(x); });
                 case 5:
                     return setting("eta", x >= 0 && x <= 2, text.str(), [&] { planner_.setEta(x); });
+                case 6:
+                    return setting("guide", true, guide, [&] { planner_.setGuide(guide); });
+                case 7:
+                    return setting("recombination", true, on ? "1" : "0", [&] { planner_.setRecombination(on); });
+                case 8:
+                    return setting("tightening", true, on ? "1" : "0", [&] { planner_.setTightening(on); });
                 default:
                     return setting("threads", n >= 1 && n <= 64, whole, [&] { planner_.setThreads(n); });
             }
