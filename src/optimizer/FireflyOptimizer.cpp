@@ -79,17 +79,13 @@ ompl_mfa::FireflyOptimizer::FireflyOptimizer(const Settings &settings, const Eig
     range_ = upper_ - lower_;
     inverseScale_ = (range_.array() > 0.0).select(REFERENCE_RANGE * range_.cwiseInverse(), 0.0);
     population_.resize(dimension, size);
-    for (unsigned int i = 0; i < size; ++i)
-    {
-        for (Eigen::Index k = 0; k < dimension; ++k)
-            population_(k, i) = std::min(lower_[k] + range_[k] * random_.uniform(), upper_[k]);
-    }
     brightness_.resize(size);
-    order_.resize(size);
+    order_.reserve(size);
+    sorted_.resize(size);
+    merged_.resize(size);
     brighter_.resize(size);
-    std::iota(order_.begin(), order_.end(), 0U);
-    best_ = population_.col(0);
-    moved_ = population_;
+    best_ = lower_ + 0.5 * range_;
+    moved_.resize(dimension, size);
     moves_.resize(size);
     trials_.resize(dimension, TRIAL_VECTORS);
     new1_.resize(dimension);
@@ -98,32 +94,45 @@ ompl_mfa::FireflyOptimizer::FireflyOptimizer(const Settings &settings, const Eig
 
 bool ompl_mfa::FireflyOptimizer::step(ObjectiveFunction &objective, const StopCondition &stop)
 {
+    if (phase_ == Phase::Placing && !placeInitial(stop))
+        return false;
     if (phase_ == Phase::Initial)
         return evaluateInitial(objective, stop);
-    if (phase_ == Phase::Between)
-        beginGeneration();
+    if (phase_ == Phase::Between && !beginGeneration(objective, stop))
+        return false;
+    if (phase_ == Phase::Moving && !move(stop))
+        return false;
     if (phase_ == Phase::Moves && !evaluateMoves(objective, stop))
         return false;
-    if (phase_ == Phase::Trials && !evaluateTrials(objective, stop))
-        return false;
-    endGeneration(objective);
-    return true;
+    return evaluateTrials(objective, stop) && endGeneration(objective, stop);
+}
+
+bool ompl_mfa::FireflyOptimizer::asked(const StopCondition &stop)
+{
+    if (stop())
+        return true;
+    operationsWhenAsked_ = operations_;
+    return false;
+}
+
+bool ompl_mfa::FireflyOptimizer::askedIfDue(const StopCondition &stop)
+{
+    return operations_ - operationsWhenAsked_ >= OPERATIONS_BETWEEN_STOPS && asked(stop);
 }
 
 void ompl_mfa::FireflyOptimizer::inject(const Eigen::Ref<const Eigen::VectorXd> &x)
 {
-    if (phase_ != Phase::Initial || cursor_ > 0)
+    if (phase_ != Phase::Placing || cursor_ > 0)
         throw std::logic_error("FireflyOptimizer: an unevaluated point can only be injected before the first step");
     if (injected_ == settings_.populationSize)
         throw std::logic_error("FireflyOptimizer: every member of the initial population was injected already");
     population_.col(injected_++) = x.cwiseMax(lower_).cwiseMin(upper_);
-    best_ = population_.col(0);
 }
 
 void ompl_mfa::FireflyOptimizer::inject(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness &brightness,
                                         const ObjectiveFunction &objective)
 {
-    if (phase_ == Phase::Initial)
+    if (phase_ == Phase::Placing || phase_ == Phase::Initial)
         throw std::logic_error("FireflyOptimizer: the initial population has not been evaluated yet");
     unsigned int dimmest = 0;
     for (unsigned int i = 1; i < settings_.populationSize; ++i)
@@ -134,8 +143,25 @@ void ompl_mfa::FireflyOptimizer::inject(const Eigen::Ref<const Eigen::VectorXd> 
     moved_.col(dimmest) = x.cwiseMax(lower_).cwiseMin(upper_);
     place(dimmest, moved_.col(dimmest), brightness, objective);
     moves_[dimmest] = false;
+    runLength_ = 0;
     if (phase_ == Phase::Between)
-        sortByBrightness(objective);
+        sortByBrightness(objective, [] { return false; });
+}
+
+void ompl_mfa::FireflyOptimizer::orderChanged(const ObjectiveFunction &objective)
+{
+    runLength_ = 0;
+    orderChanged_ = true;
+    unsigned int brightest = 0;
+    for (unsigned int i = 1; i < settings_.populationSize; ++i)
+    {
+        if (objective.isBrighter(brightness_[i], brightness_[brightest]))
+            brightest = i;
+    }
+    if (!objective.isBrighter(brightness_[brightest], bestBrightness_))
+        return;
+    best_ = population_.col(brightest);
+    bestBrightness_ = brightness_[brightest];
 }
 
 void ompl_mfa::FireflyOptimizer::restartEpoch()
@@ -169,61 +195,97 @@ double ompl_mfa::FireflyOptimizer::beta0() const
     return std::max(0.0, settings_.eta - static_cast<double>(epochGeneration_) / settings_.generations);
 }
 
+// The numbers of the injected fireflies are drawn too, and thrown away: the others do not depend on them.
+bool ompl_mfa::FireflyOptimizer::placeInitial(const StopCondition &stop)
+{
+    for (; cursor_ < settings_.populationSize; ++cursor_)
+    {
+        if (askedIfDue(stop))
+            return false;
+        for (Eigen::Index k = 0; k < range_.size(); ++k)
+        {
+            const double drawn = std::min(lower_[k] + range_[k] * random_.uniform(), upper_[k]);
+            if (cursor_ >= injected_)
+                population_(k, cursor_) = drawn;
+        }
+        operations_ += static_cast<std::uint64_t>(range_.size());
+    }
+    order_.resize(settings_.populationSize);
+    std::iota(order_.begin(), order_.end(), 0U);
+    cursor_ = 0;
+    phase_ = Phase::Initial;
+    return true;
+}
+
 bool ompl_mfa::FireflyOptimizer::evaluateInitial(ObjectiveFunction &objective, const StopCondition &stop)
 {
     for (; cursor_ < settings_.populationSize; ++cursor_)
     {
-        if (stop())
+        if (asked(stop))
             return false;
         place(cursor_, population_.col(cursor_), evaluate(objective, population_.col(cursor_), nullptr), objective);
     }
-    sortByBrightness(objective);
+    if (!sortByBrightness(objective, stop))
+        return false;
     phase_ = Phase::Between;
     return true;
 }
 
-void ompl_mfa::FireflyOptimizer::beginGeneration()
+bool ompl_mfa::FireflyOptimizer::beginGeneration(const ObjectiveFunction &objective, const StopCondition &stop)
 {
+    if (orderChanged_ && !sortByBrightness(objective, stop))
+        return false;
     if (epochGeneration_ == settings_.generations)
         restartEpoch();
     // The brightest has nothing to move toward; whoever is as bright moves at random (rule 2 of the paper).
     std::fill(moves_.begin(), moves_.end(), true);
     moves_[order_.front()] = false;
-    for (unsigned int rank = 1; rank < settings_.populationSize; ++rank)
-        move(rank);
-    cursor_ = 0;
-    phase_ = Phase::Moves;
+    rank_ = 0;
+    moving_ = false;
+    phase_ = Phase::Moving;
+    return true;
 }
 
-void ompl_mfa::FireflyOptimizer::move(unsigned int rank)
+// population_ does not change before the last firefly has moved: all attract from where the generation found them.
+bool ompl_mfa::FireflyOptimizer::move(const StopCondition &stop)
 {
-    auto x = moved_.col(order_[rank]);
-    x = population_.col(order_[rank]);
     const double beta0Now = beta0();
     const double alphaNow = alpha();
-    const auto randomStep = [&]
+    for (; rank_ < settings_.populationSize; ++rank_, moving_ = false)
     {
-        for (Eigen::Index k = 0; k < x.size(); ++k)
-            x[k] += alphaNow * range_[k] * (random_.uniform() - 0.5);
-        x = x.cwiseMax(lower_).cwiseMin(upper_);
-    };
-    if (brighter_[rank] == 0)
-    {
-        randomStep();
-        return;
+        if (!moves_[order_[rank_]])
+            continue;
+        auto x = moved_.col(order_[rank_]);
+        if (!moving_)
+        {
+            x = population_.col(order_[rank_]);
+            movesLeft_ = brighter_[rank_];
+            moving_ = true;
+        }
+        do
+        {
+            if (askedIfDue(stop))
+                return false;
+            if (movesLeft_ > 0)
+            {
+                const auto target = population_.col(order_[--movesLeft_]);
+                // Eq. (3), squared, in units of a tenth of each coordinate's range.
+                const double squaredDistance = ((x - target).cwiseProduct(inverseScale_)).squaredNorm();
+                // Eqs. (4) and (15).
+                const double absorbed = std::exp(-settings_.gamma * squaredDistance);
+                const double beta = settings_.betaMin + (beta0Now - settings_.betaMin) * absorbed;
+                // Eqs. (5) and (16).
+                x += beta * (target - x);
+            }
+            for (Eigen::Index k = 0; k < x.size(); ++k)
+                x[k] += alphaNow * range_[k] * (random_.uniform() - 0.5);
+            x = x.cwiseMax(lower_).cwiseMin(upper_);
+            operations_ += static_cast<std::uint64_t>(x.size());
+        } while (movesLeft_ > 0);
     }
-    for (unsigned int brighter = brighter_[rank]; brighter-- > 0;)
-    {
-        const auto target = population_.col(order_[brighter]);
-        // Eq. (3), squared, in units of a tenth of each coordinate's range.
-        const double squaredDistance = ((x - target).cwiseProduct(inverseScale_)).squaredNorm();
-        // Eqs. (4) and (15).
-        const double absorbed = std::exp(-settings_.gamma * squaredDistance);
-        const double beta = settings_.betaMin + (beta0Now - settings_.betaMin) * absorbed;
-        // Eqs. (5) and (16).
-        x += beta * (target - x);
-        randomStep();
-    }
+    cursor_ = 0;
+    phase_ = Phase::Moves;
+    return true;
 }
 
 bool ompl_mfa::FireflyOptimizer::evaluateMoves(ObjectiveFunction &objective, const StopCondition &stop)
@@ -232,34 +294,37 @@ bool ompl_mfa::FireflyOptimizer::evaluateMoves(ObjectiveFunction &objective, con
     {
         if (!moves_[cursor_])
             continue;
-        if (stop())
+        if (asked(stop))
             return false;
         place(cursor_, moved_.col(cursor_), evaluate(objective, moved_.col(cursor_), nullptr), objective);
     }
-    cursor_ = 0;
+    if (!sortByBrightness(objective, stop))
+        return false;
+    cursor_ = settings_.variant == Variant::MFA ? 0 : settings_.populationSize;
     trial_ = 0;
     trialsMade_ = false;
     phase_ = Phase::Trials;
-    sortByBrightness(objective);
     return true;
 }
 
 bool ompl_mfa::FireflyOptimizer::evaluateTrials(ObjectiveFunction &objective, const StopCondition &stop)
 {
-    if (settings_.variant == Variant::FA)
-        return true;
     for (; cursor_ < settings_.populationSize; ++cursor_, trial_ = 0, trialsMade_ = false)
     {
         if (!trialsMade_)
+        {
+            if (askedIfDue(stop))
+                return false;
             makeTrials(cursor_);
-        trialsMade_ = true;
+            trialsMade_ = true;
+        }
         for (; trial_ < TRIAL_VECTORS; ++trial_)
         {
             const auto candidate = trials_.col(trial_);
             // A crossover that took every component from F_i is no trial.
             if (!settings_.trialVectors[trial_] || candidate == population_.col(cursor_))
                 continue;
-            if (stop())
+            if (asked(stop))
                 return false;
             const Brightness rival = brightness_[cursor_];
             const Brightness brightness = evaluate(objective, candidate, &rival);
@@ -301,6 +366,7 @@ void ompl_mfa::FireflyOptimizer::makeTrials(unsigned int i)
     trials_.col(4) = delta * worst + psi * (best_ - worst);
     for (unsigned int trial = 0; trial < TRIAL_VECTORS; ++trial)
         trials_.col(trial) = trials_.col(trial).cwiseMax(lower_).cwiseMin(upper_);
+    operations_ += static_cast<std::uint64_t>(trials_.size());
 }
 
 std::array<unsigned int, 4> ompl_mfa::FireflyOptimizer::drawDistinct()
@@ -315,29 +381,64 @@ std::array<unsigned int, 4> ompl_mfa::FireflyOptimizer::drawDistinct()
     return n;
 }
 
-void ompl_mfa::FireflyOptimizer::endGeneration(const ObjectiveFunction &objective)
+bool ompl_mfa::FireflyOptimizer::endGeneration(const ObjectiveFunction &objective, const StopCondition &stop)
 {
-    if (settings_.variant == Variant::MFA)
-        sortByBrightness(objective);
+    if (settings_.variant == Variant::MFA && !sortByBrightness(objective, stop))
+        return false;
     ++generation_;
     ++epochGeneration_;
     phase_ = Phase::Between;
+    return true;
 }
 
-void ompl_mfa::FireflyOptimizer::sortByBrightness(const ObjectiveFunction &objective)
+// A merge sort from short runs to long ones: what std::sort makes of a large population takes too long to be done
+// between two calls of stop.
+bool ompl_mfa::FireflyOptimizer::sortByBrightness(const ObjectiveFunction &objective, const StopCondition &stop)
 {
-    std::sort(order_.begin(), order_.end(),
-              [&](unsigned int a, unsigned int b)
-              {
-                  if (objective.isBrighter(brightness_[a], brightness_[b]))
-                      return true;
-                  return a < b && !objective.isBrighter(brightness_[b], brightness_[a]);
-              });
+    const auto brighter = [&](unsigned int a, unsigned int b)
+    {
+        if (objective.isBrighter(brightness_[a], brightness_[b]))
+            return true;
+        return a < b && !objective.isBrighter(brightness_[b], brightness_[a]);
+    };
+    const std::size_t size = order_.size();
+    if (runLength_ == 0)
+    {
+        sorted_ = order_;
+        runLength_ = 1;
+        mergedUpTo_ = 0;
+    }
+    for (; runLength_ < size; runLength_ *= 2, mergedUpTo_ = 0)
+    {
+        while (mergedUpTo_ < size)
+        {
+            if (askedIfDue(stop))
+                return false;
+            const std::size_t middle = std::min(mergedUpTo_ + runLength_, size);
+            const std::size_t last = std::min(middle + runLength_, size);
+            const auto at = [this](std::size_t i) { return sorted_.begin() + static_cast<std::ptrdiff_t>(i); };
+            std::merge(at(mergedUpTo_), at(middle), at(middle), at(last),
+                       merged_.begin() + static_cast<std::ptrdiff_t>(mergedUpTo_), brighter);
+            operations_ += last - mergedUpTo_;
+            mergedUpTo_ = last;
+        }
+        sorted_.swap(merged_);
+    }
+    order_.swap(sorted_);
+    runLength_ = 0;
+    orderChanged_ = false;
+    countBrighter(objective);
+    return true;
+}
+
+void ompl_mfa::FireflyOptimizer::countBrighter(const ObjectiveFunction &objective)
+{
     for (std::size_t rank = 1; rank < order_.size(); ++rank)
     {
         const bool dimmer = objective.isBrighter(brightness_[order_[rank - 1]], brightness_[order_[rank]]);
         brighter_[rank] = dimmer ? static_cast<unsigned int>(rank) : brighter_[rank - 1];
     }
+    operations_ += order_.size();
 }
 
 ompl_mfa::Brightness ompl_mfa::FireflyOptimizer::evaluate(ObjectiveFunction &objective,

@@ -128,9 +128,9 @@ namespace ompl_mfa
         TEST(FireflyFormulas, equallyBrightFirefliesMoveAtRandomExceptTheFirst)
         {
             auto optimizer = makeOptimizer(small(Variant::FA));
-            const Eigen::MatrixXd before = optimizer.population();
             Recorder flat([](const std::vector<double> &) { return 1.0; });
             optimizer.step(flat, never);
+            const Eigen::MatrixXd before = optimizer.population();
             optimizer.step(flat, never);
             EXPECT_TRUE(optimizer.population().col(0) == before.col(0));
             for (int i = 1; i < 12; ++i)

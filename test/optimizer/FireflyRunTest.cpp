@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -102,6 +103,113 @@ namespace ompl_mfa
             EXPECT_EQ(asked, objective.points.size());
         }
 
+        /* Stops at every question but the one after each stop, so that a run under it is interrupted wherever it can
+           be. */
+        class EverySecond
+        {
+        public:
+            bool operator()()
+            {
+                stops_ = !stops_;
+                return stops_;
+            }
+
+        private:
+            bool stops_{false};
+        };
+
+        TEST_P(FireflyRunVariants, interruptedAtEveryQuestionARunIsTheSame)
+        {
+            // large enough to be interrupted while it places, moves and sorts as well
+            const auto make = []
+            { return FireflyOptimizer(small(GetParam(), 150, 4), constant(40, -3.0), constant(40, 5.0), 9); };
+            auto whole = make();
+            auto interrupted = make();
+            Recorder objective;
+            Recorder same;
+            EverySecond stop;
+            std::uint64_t interruptions = 0;
+            for (int t = 0; t < 6; ++t)
+            {
+                whole.step(objective, never);
+                while (!interrupted.step(same, std::ref(stop)))
+                    ++interruptions;
+                expectSame(whole, interrupted);
+                EXPECT_EQ(whole.order(), interrupted.order());
+            }
+            EXPECT_GT(interruptions, interrupted.evaluations() + 5 * 150 * 149 / 2 * 40 / 5000);
+            ASSERT_EQ(objective.points.size(), same.points.size());
+            for (std::size_t k = 0; k < same.points.size(); ++k)
+                ASSERT_TRUE(objective.points[k] == same.points[k]);
+        }
+
+        /* How often stop is asked before the first evaluation, between each two and after the last of a step, as the
+           evaluations themselves see it. */
+        struct Questions
+        {
+            std::uint64_t beforeTheFirst;
+            std::uint64_t between;  ///< the most
+            std::uint64_t afterTheLast;
+        };
+
+        Questions questionsOfAStep(FireflyOptimizer &optimizer)
+        {
+            std::uint64_t asked = 0;
+            std::uint64_t last = 0;
+            bool any = false;
+            Questions questions{0, 0, 0};
+            Recorder objective(
+                [&](const std::vector<double> &x)
+                {
+                    if (any)
+                        questions.between = std::max(questions.between, asked - last);
+                    else
+                        questions.beforeTheFirst = asked;
+                    any = true;
+                    last = asked;
+                    return bumpyCost(x);
+                });
+            EXPECT_TRUE(optimizer.step(objective, [&asked] { return ++asked, false; }));
+            EXPECT_TRUE(any);
+            questions.afterTheLast = asked - last;
+            return questions;
+        }
+
+        TEST(FireflyRun, asksStopWhileItPlacesMovesAndSortsALargePopulation)
+        {
+            constexpr unsigned int SIZE = 4000;
+            constexpr unsigned int DIMENSION = 20;
+            // no more operations than these between two questions: a tenth of a millisecond of work
+            constexpr std::uint64_t BETWEEN = 8192;
+            FireflyOptimizer optimizer(small(Variant::FA, SIZE), constant(DIMENSION, -3.0), constant(DIMENSION, 5.0),
+                                       2);
+            const Questions initial = questionsOfAStep(optimizer);
+            EXPECT_GE(initial.beforeTheFirst, SIZE * DIMENSION / BETWEEN);
+            // a sort of so many compares each with the others 11 times or so
+            EXPECT_GE(initial.afterTheLast, SIZE * 11 / BETWEEN);
+            const Questions moves = questionsOfAStep(optimizer);
+            EXPECT_GE(moves.beforeTheFirst, std::uint64_t(SIZE) * (SIZE - 1) / 2 * DIMENSION / BETWEEN);
+            EXPECT_GE(moves.afterTheLast, SIZE * 11 / BETWEEN);
+        }
+
+        TEST(FireflyRun, asksStopInTheMovesOfOneFirefly)
+        {
+            // the last of two fireflies' chains of moves are 149 and 148 moves long, of 3000 coordinates each
+            FireflyOptimizer optimizer(small(Variant::FA, 150), constant(3000, -3.0), constant(3000, 5.0), 2);
+            questionsOfAStep(optimizer);
+            EXPECT_GE(questionsOfAStep(optimizer).beforeTheFirst, 150U * 149U / 2U * 3000U / 8192U);
+        }
+
+        TEST(FireflyRun, asksStopWhileItMakesTrialVectorsThatAreNotEvaluated)
+        {
+            auto settings = small(Variant::MFA, 2000);
+            settings.trialVectors = {{false, false, false, false, false}};
+            settings.alpha = 0.0;
+            FireflyOptimizer optimizer(settings, constant(30, -3.0), constant(30, 5.0), 2);
+            questionsOfAStep(optimizer);
+            EXPECT_GE(questionsOfAStep(optimizer).afterTheLast, 2000U * 5U * 30U / 8192U);
+        }
+
         TEST(FireflyRun, stoppedBeforeTheFirstEvaluationItHasNothing)
         {
             auto optimizer = makeOptimizer(small(Variant::MFA));
@@ -115,12 +223,14 @@ namespace ompl_mfa
         TEST_P(FireflyRunVariants, zeroGenerationsAreTheInitialPopulation)
         {
             auto optimizer = makeOptimizer(small(GetParam()));
-            const Eigen::MatrixXd initial = optimizer.population();
             Recorder objective;
             EXPECT_TRUE(optimizer.step(objective, never));
             EXPECT_EQ(optimizer.generation(), 0U);
             EXPECT_EQ(optimizer.evaluations(), 12U);
-            EXPECT_TRUE(optimizer.population() == initial);
+            const Eigen::MatrixXd initial = optimizer.population();
+            ASSERT_EQ(objective.points.size(), 12U);
+            for (unsigned int i = 0; i < 12; ++i)
+                EXPECT_TRUE(objective.points[i] == initial.col(i));
             double lowest = INFINITY;
             for (unsigned int i = 0; i < 12; ++i)
             {
@@ -133,8 +243,10 @@ namespace ompl_mfa
 
         TEST(FireflyRun, initialPopulationFillsTheBoxUniformly)
         {
-            const FireflyOptimizer optimizer(small(Variant::FA, 20000), Eigen::Vector2d(-3.0, 100.0),
-                                             Eigen::Vector2d(1.0, 100.5), 1);
+            FireflyOptimizer optimizer(small(Variant::FA, 20000), Eigen::Vector2d(-3.0, 100.0),
+                                       Eigen::Vector2d(1.0, 100.5), 1);
+            Recorder objective;
+            ASSERT_TRUE(optimizer.step(objective, never));
             const Eigen::MatrixXd unit = ((optimizer.population().colwise() - optimizer.lower()).array().colwise() /
                                           (optimizer.upper() - optimizer.lower()).array())
                                              .matrix();

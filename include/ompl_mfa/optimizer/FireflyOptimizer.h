@@ -53,6 +53,9 @@ namespace ompl_mfa
         /** \brief The number of trial vectors of eqs. (8) to (12), in that order. */
         static constexpr unsigned int TRIAL_VECTORS = 5;
 
+        /** \brief Operations without an evaluation after which step() asks its stop condition: some 50 microseconds. */
+        static constexpr std::uint64_t OPERATIONS_BETWEEN_STOPS = 4096;
+
         struct Settings
         {
             Variant variant{Variant::MFA};
@@ -92,20 +95,27 @@ namespace ompl_mfa
 
         using StopCondition = std::function<bool()>;
 
-        /** \brief Places N fireflies uniformly at random in the box [\e lower, \e upper], each d x 1 with d >= 1; a
-            coordinate may have range 0. The same seed gives the same run, bit for bit. Throws std::invalid_argument
-            for invalid settings or bounds. */
+        /** \brief N fireflies in the box [\e lower, \e upper], each d x 1 with d >= 1; a coordinate may have range 0.
+            The first step() places them, uniformly at random. The same seed gives the same run, bit for bit. Throws
+            std::invalid_argument for invalid settings or bounds. */
         FireflyOptimizer(const Settings &settings, const Eigen::VectorXd &lower, const Eigen::VectorXd &upper,
                          std::uint_fast64_t seed);
 
-        /** \brief Runs to the end of the current generation and returns true; the first generation is the evaluation
-            of the initial population. \e stop is asked before every evaluation; when it is true, step returns false,
-            and the next call goes on at that evaluation as if it had not been interrupted. Allocates nothing. */
+        /** \brief Runs to the end of the current generation and returns true; the first generation is the placing and
+            the evaluation of the initial population. \e stop is asked before every evaluation, and in between before
+            more than OPERATIONS_BETWEEN_STOPS operations() have been done without asking (one more move or merge may
+            be under way: d or N of them). When it is true, step returns false, and the next call goes on from there
+            as if it had not been interrupted. Allocates nothing. */
         bool step(ObjectiveFunction &objective, const StopCondition &stop);
 
         /** \brief Puts \e x (d x 1, clamped to the box) into the initial population, unevaluated, in place of a random
             member. Throws std::logic_error once the first step was made or when all N members were put in. */
         void inject(const Eigen::Ref<const Eigen::VectorXd> &x);
+
+        /** \brief To be called when isBrighter() of \e objective has come to order points otherwise than before, as
+            where a constraint has become tighter. best() is chosen again, among itself and the population; the
+            population is sorted by the new order before the next generation's moves. */
+        void orderChanged(const ObjectiveFunction &objective);
 
         /** \brief Replaces the dimmest firefly by \e x (d x 1, clamped to the box) of the given brightness, which
             becomes the best if brighter. Throws std::logic_error before the initial population was evaluated. */
@@ -131,7 +141,8 @@ namespace ompl_mfa
             return upper_;
         }
 
-        /** \brief d x N, one column a firefly. */
+        /** \brief d x N, one column a firefly. Before the first step() has placed them, only the columns of injected
+            points have a value. */
         const Eigen::MatrixXd &population() const
         {
             return population_;
@@ -143,20 +154,22 @@ namespace ompl_mfa
             return brightness_[i];
         }
 
-        /** \brief The column of population() that was the brightest when the current or last generation began its
-            moves or, between two generations, that is the brightest now. */
-        unsigned int brightestIndex() const
-        {
-            return order_.front();
-        }
-
-        /** \brief The columns of population(), brightest first, as of the same moment as brightestIndex(). */
+        /** \brief The columns of population(), brightest first: as they were when the current generation began its
+            moves, or its trial vectors, or, between two generations, as they are now. Empty before the fireflies are
+            placed, and in no particular order before all of them are evaluated. */
         const std::vector<unsigned int> &order() const
         {
             return order_;
         }
 
-        /** \brief The brightest point ever evaluated or injected, d x 1; the first column of population() before. */
+        /** \brief The first of order(); 0 where that is empty. */
+        unsigned int brightestIndex() const
+        {
+            return order_.empty() ? 0 : order_.front();
+        }
+
+        /** \brief The brightest point ever evaluated or injected with a brightness, d x 1; the centre of the box
+            before. */
         const Eigen::VectorXd &best() const
         {
             return best_;
@@ -179,6 +192,13 @@ namespace ompl_mfa
             return evaluations_;
         }
 
+        /** \brief Work other than evaluations: coordinates drawn, moved or made for trial vectors, and fireflies merged
+            by the sort. */
+        std::uint64_t operations() const
+        {
+            return operations_;
+        }
+
         /** \brief The random step of the next generation, in parts of a coordinate's range; eq. (13). After the last
             generation of an epoch this is where the schedule ended. */
         double alpha() const;
@@ -189,21 +209,24 @@ namespace ompl_mfa
     private:
         enum class Phase
         {
+            Placing,  ///< drawing the initial population
             Initial,  ///< evaluating the initial population
             Between,  ///< between two generations
+            Moving,   ///< moving the fireflies
             Moves,    ///< evaluating the moved fireflies
             Trials    ///< evaluating trial vectors
         };
 
+        bool placeInitial(const StopCondition &stop);
         bool evaluateInitial(ObjectiveFunction &objective, const StopCondition &stop);
         bool evaluateMoves(ObjectiveFunction &objective, const StopCondition &stop);
         bool evaluateTrials(ObjectiveFunction &objective, const StopCondition &stop);
 
-        void beginGeneration();
-        void endGeneration(const ObjectiveFunction &objective);
+        bool beginGeneration(const ObjectiveFunction &objective, const StopCondition &stop);
+        bool endGeneration(const ObjectiveFunction &objective, const StopCondition &stop);
 
-        /** \brief Eqs. (4), (5), (16): moves firefly order_[rank] toward every brighter one, into moved_. */
-        void move(unsigned int rank);
+        /** \brief Eqs. (4), (5), (16): moves every firefly toward every brighter one, into moved_. */
+        bool move(const StopCondition &stop);
 
         /** \brief Eqs. (6)-(12): fills trials_ for firefly \e i. */
         void makeTrials(unsigned int i);
@@ -211,7 +234,16 @@ namespace ompl_mfa
         /** \brief Draws n1..n4, pairwise distinct. */
         std::array<unsigned int, 4> drawDistinct();
 
-        void sortByBrightness(const ObjectiveFunction &objective);
+        /** \brief Sorts order_ and counts brighter_; false if interrupted, and the next call goes on. */
+        bool sortByBrightness(const ObjectiveFunction &objective, const StopCondition &stop);
+        void countBrighter(const ObjectiveFunction &objective);
+
+        /** \brief Asks \e stop, whose next answer is due after OPERATIONS_BETWEEN_STOPS operations. */
+        bool asked(const StopCondition &stop);
+
+        /** \brief Asks \e stop if that is due. */
+        bool askedIfDue(const StopCondition &stop);
+
         Brightness evaluate(ObjectiveFunction &objective, const Eigen::Ref<const Eigen::VectorXd> &x,
                             const Brightness *rival);
         void place(unsigned int i, const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness &brightness,
@@ -232,6 +264,14 @@ namespace ompl_mfa
         std::vector<Brightness> brightness_;
         std::vector<unsigned int> order_;
 
+        /** \brief What the sort has come to: runs of runLength_ (0: no sort is under way) of sorted_ are merged in
+            pairs into merged_, as far as mergedUpTo_. */
+        std::vector<unsigned int> sorted_;
+        std::vector<unsigned int> merged_;
+        std::size_t runLength_{0};
+        std::size_t mergedUpTo_{0};
+        bool orderChanged_{false};
+
         /** \brief How many fireflies are strictly brighter than order_[rank]; those of equal brightness do not attract.
          */
         std::vector<unsigned int> brighter_;
@@ -249,9 +289,15 @@ namespace ompl_mfa
         Eigen::VectorXd new1_;
         Eigen::VectorXd new2_;
 
-        Phase phase_{Phase::Initial};
+        Phase phase_{Phase::Placing};
 
-        /** \brief The firefly, and its trial vector, that is evaluated next. */
+        /** \brief The rank of the firefly that moves, whether it has begun to, and how many brighter ones it has yet
+            to move toward. */
+        unsigned int rank_{0};
+        bool moving_{false};
+        unsigned int movesLeft_{0};
+
+        /** \brief The firefly, and its trial vector, that is placed or evaluated next. */
         unsigned int cursor_{0};
         unsigned int trial_{0};
         bool trialsMade_{false};
@@ -260,6 +306,8 @@ namespace ompl_mfa
         unsigned int generation_{0};
         unsigned int epochGeneration_{0};
         std::uint64_t evaluations_{0};
+        std::uint64_t operations_{0};
+        std::uint64_t operationsWhenAsked_{0};
     };
 }  // namespace ompl_mfa
 
