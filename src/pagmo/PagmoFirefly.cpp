@@ -11,6 +11,7 @@
 #include <pagmo/s11n.hpp>
 
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
 
 PAGMO_S11N_ALGORITHM_IMPLEMENT(ompl_mfa::PagmoFirefly)
 
@@ -110,8 +111,7 @@ pagmo::population ompl_mfa::PagmoFirefly::evolve(pagmo::population population) c
     settings.alpha = alpha_;
     settings.eta = eta_;
     const auto bounds = population.get_problem().get_bounds();
-    FireflyOptimizer optimizer(settings, toEigen(bounds.first), toEigen(bounds.second),
-                               seed_ + (static_cast<std::uint64_t>(calls_++) << 32U));
+    FireflyOptimizer optimizer(settings, toEigen(bounds.first), toEigen(bounds.second), deriveSeed(seed_, 0, calls_++));
     for (const auto &x : population.get_x())
         optimizer.inject(toEigen(x));
 

@@ -241,9 +241,14 @@ namespace ompl_mfa
 
     Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival, unsigned int stride)
     {
-        Brightness result{0.0, cost(path).value()};
-        if (interrupted_)
-            return {};
+        const ob::Cost known = cost(path);
+        return interrupted_ ? Brightness() : evaluate(path, known, rival, stride);
+    }
+
+    Brightness PathEvaluator::evaluate(const Waypoints &path, ob::Cost cost, const Brightness *rival,
+                                       unsigned int stride)
+    {
+        Brightness result{0.0, cost.value()};
         const bool feasibleRival = rival != nullptr && rival->isFeasible();
         if (feasibleRival && !isBrighter(result, *rival))
             return {};

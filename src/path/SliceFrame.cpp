@@ -55,7 +55,6 @@ namespace ompl_mfa
     SliceFrame::SliceFrame(StateChartPtr chart, Waypoints axis, double reach)
       : chart_(std::move(chart))
       , axis_(std::move(axis))
-      , delta_(chart_->dimension())
     {
         if (axis_.size() < 2)
             throw std::invalid_argument("SliceFrame: an axis has at least two states, not " +
@@ -108,43 +107,47 @@ namespace ompl_mfa
         lower_.segment(slice.offset + lateral, rotation.size()) = -rotation.cwiseMin(reach);
     }
 
-    void SliceFrame::toState(std::size_t k, const Eigen::Ref<const Eigen::VectorXd> &x, ob::State *state) const
+    void SliceFrame::toState(std::size_t k, const Eigen::Ref<const Eigen::VectorXd> &x, ob::State *state,
+                             Eigen::VectorXd &scratch) const
     {
         const Slice &slice = slices_[k];
         const Eigen::Index lateral = slice.basis.cols();
-        delta_.head(chart_->positionDimension()).noalias() = slice.basis * x.segment(slice.offset, lateral);
-        delta_.tail(chart_->rotationDimension()) = x.segment(slice.offset + lateral, chart_->rotationDimension());
-        chart_->displace(axis_[k + 1], delta_, state);
+        scratch.resize(chart_->dimension());
+        scratch.head(chart_->positionDimension()).noalias() = slice.basis * x.segment(slice.offset, lateral);
+        scratch.tail(chart_->rotationDimension()) = x.segment(slice.offset + lateral, chart_->rotationDimension());
+        chart_->displace(axis_[k + 1], scratch, state);
     }
 
-    void SliceFrame::toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, Waypoints &path) const
+    void SliceFrame::toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, Waypoints &path,
+                                 Eigen::VectorXd &scratch) const
     {
         path.resize(axis_.size());
         chart_->space()->copyState(path[0], axis_.front());
         for (std::size_t k = 0; k < slices_.size(); ++k)
-            toState(k, x, path[k + 1]);
+            toState(k, x, path[k + 1], scratch);
         chart_->space()->copyState(path[slices_.size() + 1], axis_.back());
-    }
-
-    void SliceFrame::toCoordinates(std::size_t k, const ob::State *state, Eigen::Ref<Eigen::VectorXd> x) const
-    {
-        const Slice &slice = slices_[k];
-        const Eigen::Index lateral = slice.basis.cols();
-        chart_->difference(axis_[k + 1], state, delta_);
-        x.segment(slice.offset, lateral).noalias() = slice.basis.transpose() * delta_.head(chart_->positionDimension());
-        x.segment(slice.offset + lateral, chart_->rotationDimension()) = delta_.tail(chart_->rotationDimension());
     }
 
     void SliceFrame::toCoordinates(const Waypoints &path, Eigen::Ref<Eigen::VectorXd> x) const
     {
+        const Eigen::Index rotations = chart_->rotationDimension();
+        Eigen::VectorXd delta(chart_->dimension());
         for (std::size_t k = 0; k < slices_.size(); ++k)
-            toCoordinates(k, path[k + 1], x);
+        {
+            const Slice &slice = slices_[k];
+            const Eigen::Index lateral = slice.basis.cols();
+            chart_->difference(axis_[k + 1], path[k + 1], delta);
+            x.segment(slice.offset, lateral).noalias() =
+                slice.basis.transpose() * delta.head(chart_->positionDimension());
+            x.segment(slice.offset + lateral, rotations) = delta.tail(rotations);
+        }
     }
 
     bool SliceFrame::crossings(const Waypoints &path, Waypoints &onSlices) const
     {
         const auto &space = chart_->space();
         const Eigen::Index n = chart_->positionDimension();
+        Eigen::VectorXd delta(chart_->dimension());
         onSlices.resize(axis_.size());
         space->copyState(onSlices[0], axis_.front());
         space->copyState(onSlices[slices_.size() + 1], axis_.back());
@@ -155,8 +158,8 @@ namespace ompl_mfa
                 return false;
             const auto abscissa = [&](const ob::State *state)
             {
-                chart_->difference(axis_[k + 1], state, delta_);
-                return slices_[k].along.dot(delta_.head(n));
+                chart_->difference(axis_[k + 1], state, delta);
+                return slices_[k].along.dot(delta.head(n));
             };
             while (j + 1 < path.size() && abscissa(path[j + 1]) < 0.0)
                 ++j;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "ompl_mfa/planner/Streams.h"
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa
@@ -40,7 +42,8 @@ namespace ompl_mfa
       , satisfying_(chart->space())
       , state_(si->allocState())
       , seed_(seed)
-      , fireflies_(searchSettings(), reachAlong(*chart, origin, -1.0), reachAlong(*chart, origin, 1.0), seed)
+      , fireflies_(searchSettings(), reachAlong(*chart, origin, -1.0), reachAlong(*chart, origin, 1.0),
+                   streamSeed(seed, Stream::Epoch))
     {
         origin_.append(origin);
     }
@@ -69,7 +72,8 @@ namespace ompl_mfa
         satisfying_.clear();
         // a swarm that gathered short of the goal stays there
         if (fireflies_.generation() >= fireflies_.settings().generations)
-            fireflies_ = FireflyOptimizer(fireflies_.settings(), fireflies_.lower(), fireflies_.upper(), ++seed_);
+            fireflies_ = FireflyOptimizer(fireflies_.settings(), fireflies_.lower(), fireflies_.upper(),
+                                          streamSeed(seed_, Stream::Epoch, ++epoch_));
         fireflies_.step(*this, [&] { return !satisfying_.empty() || ptc(); });
         if (satisfying_.empty())
             return false;

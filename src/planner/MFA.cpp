@@ -8,6 +8,8 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
+#include "ompl_mfa/planner/Streams.h"
+
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
@@ -133,7 +135,7 @@ namespace ompl_mfa
 
     ob::PlannerStatus::StatusType MFA::begin(const ob::PlannerTerminationCondition &ptc)
     {
-        return query_->begin(pis_, ptc, chart_, si_, runSeed_);
+        return query_->begin(pis_, ptc, chart_, si_, streamSeed(runSeed_, Stream::GoalSearch));
     }
 
     /* What an earlier solve() found may not hold any more: goals change in place, and so do the validity checker's
@@ -231,7 +233,7 @@ namespace ompl_mfa
         const CostBounds &bounds = evaluator_->bounds();
         if (bounds.certain())
             return true;
-        ompl::RNG rng(static_cast<std::uint_fast32_t>(runSeed_ + PROBES + probes_));
+        ompl::RNG rng(static_cast<std::uint_fast32_t>(streamSeed(runSeed_, Stream::Detours, probes_)));
         Waypoints detour(si_->getStateSpace());
         detour.resize(3);
         for (; probes_ < PROBES && bounds.admissible(); ++probes_)

@@ -7,6 +7,7 @@
 
 #include "ompl_mfa/path/PathDeformation.h"
 #include "ompl_mfa/planner/MFA.h"
+#include "ompl_mfa/planner/Streams.h"
 
 namespace ob = ompl::base;
 
@@ -59,9 +60,9 @@ namespace ompl_mfa
         paper_ = search_.isPaper() && !plannerGuide_;
         shareForFirstPath();
         if (search_.usesTrees())
-            trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, runSeed_ + 1);
+            trees_ = std::make_unique<TreeGuide>(this, chart_, *evaluator_, streamSeed(runSeed_, Stream::Trees));
         hasRoadmap_ = search_.usesRoadmap();
-        windowRandom_ = RandomSource(runSeed_ + 5);
+        windowRandom_ = RandomSource(streamSeed(runSeed_, Stream::Windows));
         probes_ = 0;
         followedStraight_ = false;
     }
@@ -149,7 +150,8 @@ namespace ompl_mfa
                 return follow(*trees_, work);
             case ROADMAP:
                 if (!roadmap_)
-                    roadmap_ = std::make_unique<RoadmapGuide>(this, chart_, *evaluator_, runSeed_ + 2);
+                    roadmap_ = std::make_unique<RoadmapGuide>(this, chart_, *evaluator_,
+                                                              streamSeed(runSeed_, Stream::Roadmap));
                 return follow(*roadmap_, work);
             default:
                 return follow(*plannerGuide_, work);
@@ -205,12 +207,13 @@ namespace ompl_mfa
     /* Swarms on straight axes are made when the first of them is to fly: as a rule a guide has found a path before. */
     void MFA::laySwarms()
     {
-        for (const auto &[start, goal] : std::exchange(axes_, {}))
+        for (; !axes_.empty() && !evaluator_->stopped(); axes_.erase(axes_.begin()))
         {
+            const auto [start, goal] = axes_.front();
             SliceFrame frame =
                 SliceFrame::straight(chart_, query_->starts()[start], query_->goals()[goal], search_.slices + 1);
             if (frame.dimension() > 0)
-                swarms_.push_back(makeSwarm(std::move(frame), runSeed_ + 1000 * (swarms_.size() + 1)));
+                swarms_.push_back(makeSwarm(std::move(frame), streamSeed(runSeed_, Stream::Swarm, swarms_.size())));
         }
     }
 
@@ -252,7 +255,8 @@ namespace ompl_mfa
         ++windows_;
         window_ =
             WindowSwarm::open(std::move(window), curved ? WindowSwarm::Frame::Curved : WindowSwarm::Frame::Straight,
-                              (search_.slices + 1) / 2, chart_, *evaluator_, settings, runSeed_ + 7 * windows_ + 17);
+                              (search_.slices + 1) / 2, chart_, *evaluator_, settings,
+                              streamSeed(runSeed_, Stream::WindowSwarm, windows_));
     }
 
     /* The swarms on the straight axes take turns by generations. Once there is a path, those in windows of it have
@@ -277,14 +281,9 @@ namespace ompl_mfa
     bool MFA::flyStep(std::uint64_t work)
     {
         const std::uint64_t limit = evaluator_->work() + work;
-        const bool completed = activeSwarm_->step(
-            [&]
-            {
-                if (evaluator_->work() >= limit || evaluator_->stopped())
-                    return true;
-                ++evaluations_;
-                return false;
-            });
+        const std::uint64_t before = activeSwarm_->evaluations();
+        const bool completed = activeSwarm_->step([&] { return evaluator_->work() >= limit || evaluator_->stopped(); });
+        evaluations_ += activeSwarm_->evaluations() - before;
         if (completed && activeSwarm_->fireflies().generation() > 0)
             ++iterations_;
         return completed;
@@ -375,8 +374,9 @@ namespace ompl_mfa
     {
         if (tightening_)
             return;
-        tightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 3);
-        newTightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, runSeed_ + 4);
+        tightening_ = std::make_unique<PathTightening>(chart_, *evaluator_, streamSeed(runSeed_, Stream::Tightening));
+        newTightening_ =
+            std::make_unique<PathTightening>(chart_, *evaluator_, streamSeed(runSeed_, Stream::NewTightening));
     }
 
     void MFA::follow(Guide &guide, std::uint64_t work)

@@ -113,6 +113,7 @@ namespace ompl_mfa
         const SliceFrame &frame = activeSwarm_->frame();
         Waypoints ends(si_->getStateSpace());
         ends.resize(2);
+        Eigen::VectorXd scratch;
         for (std::size_t k = 0; k < frame.slices(); ++k)
         {
             const auto [first, count] = frame.sliceRange(k);
@@ -120,9 +121,9 @@ namespace ompl_mfa
             {
                 Eigen::VectorXd x = Eigen::VectorXd::Zero(frame.dimension());
                 x[i] = frame.lower()[i];
-                frame.toState(k, x, ends[0]);
+                frame.toState(k, x, ends[0], scratch);
                 x[i] = frame.upper()[i];
-                frame.toState(k, x, ends[1]);
+                frame.toState(k, x, ends[1], scratch);
                 paths.emplace_back(si_, ends[0], ends[1]);
             }
         }

@@ -69,6 +69,7 @@ namespace ompl_mfa
             ob::ScopedState<> goalState_{space_};
             Eigen::VectorXd start_;
             Eigen::VectorXd goal_;
+            Eigen::VectorXd scratch_;
             ompl::RNG rng_{17};
         };
 
@@ -100,7 +101,7 @@ namespace ompl_mfa
                 const Eigen::VectorXd x = randomUnit(rng_, f.dimension());
                 for (std::size_t k = 0; k < f.slices(); ++k)
                 {
-                    f.toState(k, x, state.get());
+                    f.toState(k, x, state.get(), scratch_);
                     const Eigen::VectorXd fromStart = realValues(state.get(), n_) - start_;
                     const double abscissa = fromStart.dot(axis) / axis.squaredNorm();
                     EXPECT_NEAR(abscissa, (k + 1) / 6.0, 1e-9);
@@ -119,7 +120,7 @@ namespace ompl_mfa
                 for (Eigen::Index i = 0; i < basis.cols(); ++i)
                 {
                     const auto x = Eigen::VectorXd::Unit(f.dimension(), f.sliceRange(k).first + i);
-                    f.toState(k, x, state.get());
+                    f.toState(k, x, state.get(), scratch_);
                     basis.col(i) = realValues(state.get(), n_) - origin;
                 }
                 const Eigen::MatrixXd gram = basis.transpose() * basis;
@@ -134,7 +135,7 @@ namespace ompl_mfa
             for (int repeat = 0; repeat < 20; ++repeat)
             {
                 const Eigen::VectorXd x = randomUnit(rng_, f.dimension());
-                f.toWaypoints(x, path);
+                f.toWaypoints(x, path, scratch_);
                 ASSERT_EQ(path.size(), 10U);
                 EXPECT_TRUE(space_->equalStates(path.front(), startState_.get()));
                 EXPECT_TRUE(space_->equalStates(path.back(), goalState_.get()));
@@ -156,7 +157,7 @@ namespace ompl_mfa
                     {
                         Eigen::VectorXd x = Eigen::VectorXd::Zero(f.dimension());
                         x[i] = end;
-                        f.toState(k, x, state.get());
+                        f.toState(k, x, state.get(), scratch_);
                         EXPECT_NEAR(realValues(state.get(), n_).cwiseAbs().maxCoeff(), 10.0, 1e-9);
                     }
                     EXPECT_LT(f.lower()[i], 0.0);
@@ -170,6 +171,7 @@ namespace ompl_mfa
         protected:
             ob::StateSpacePtr space_ = GetParam().make();
             StateChartPtr chart_ = std::make_shared<const StateChart>(space_);
+            Eigen::VectorXd scratch_;
             ompl::RNG rng_{23};
         };
 
@@ -190,7 +192,7 @@ namespace ompl_mfa
                 EXPECT_TRUE((f.lower().array() <= 0.0).all());
                 EXPECT_TRUE((f.upper().array() >= 0.0).all());
                 EXPECT_TRUE(f.lower().allFinite() && f.upper().allFinite());
-                f.toWaypoints(randomCoordinates(f, rng_, 1.0), path);
+                f.toWaypoints(randomCoordinates(f, rng_, 1.0), path, scratch_);
                 for (const ob::State *state : path.pointers())
                     EXPECT_TRUE(space_->satisfiesBounds(state));
             }
@@ -212,7 +214,7 @@ namespace ompl_mfa
                 sampler->sampleUniformNear(goal.get(), center.get(), 1.0);
                 const SliceFrame f = SliceFrame::straight(chart_, start.get(), goal.get(), 5);
                 const Eigen::VectorXd x = 0.2 * randomUnit(rng_, f.dimension());
-                f.toWaypoints(x, path);
+                f.toWaypoints(x, path, scratch_);
                 Eigen::VectorXd back(f.dimension());
                 f.toCoordinates(path, back);
                 EXPECT_LT((back - x).norm(), 1e-6);
@@ -250,7 +252,7 @@ namespace ompl_mfa
                 sampler->sampleUniform(state.get());
                 const SliceFrame f = SliceFrame::straight(chart_, state.get(), state.get(), 3);
                 EXPECT_EQ(f.dimension(), 2 * chart_->dimension());
-                f.toWaypoints(randomCoordinates(f, rng_, 1.0), path);
+                f.toWaypoints(randomCoordinates(f, rng_, 1.0), path, scratch_);
                 for (const ob::State *waypoint : path.pointers())
                     EXPECT_TRUE(space_->satisfiesBounds(waypoint));
             }
@@ -268,12 +270,13 @@ namespace ompl_mfa
 
         TEST(SliceFrame, APureRotationLeavesAllPositionsFree)
         {
+            Eigen::VectorXd scratch;
             const auto space = test::se2Space();
             const SliceFrame f = straightFrame(space, {1.0, 2.0, -1.0}, {1.0, 2.0, 1.5}, 2);
             EXPECT_EQ(f.dimension(), 3);
             ob::ScopedState<ob::SE2StateSpace> state(space);
             // offsets along both positions, and an angle of weight 0.5
-            f.toState(0, Eigen::Vector3d(0.5, -0.25, 0.2), state.get());
+            f.toState(0, Eigen::Vector3d(0.5, -0.25, 0.2), state.get(), scratch);
             EXPECT_NEAR(state->getX(), 1.5, 1e-12);
             EXPECT_NEAR(state->getY(), 1.75, 1e-12);
             EXPECT_NEAR(state->getYaw(), 0.25 + 0.4, 1e-12);
@@ -281,6 +284,7 @@ namespace ompl_mfa
 
         TEST(SliceFrame, InThePlaneOffsetsAreAcrossTheAxisAndAnglesFollowTheInterpolatedRotation)
         {
+            Eigen::VectorXd scratch;
             const auto space = test::se2Space();
             const SliceFrame f = straightFrame(space, {-4.0, 0.0, 0.0}, {4.0, 0.0, 1.0}, 4);
             EXPECT_EQ(f.dimension(), 6);
@@ -288,7 +292,7 @@ namespace ompl_mfa
             Eigen::VectorXd x = Eigen::VectorXd::Zero(6);
             x[4] = 3.0;
             x[5] = 0.25;
-            f.toState(2, x, state.get());
+            f.toState(2, x, state.get(), scratch);
             EXPECT_NEAR(state->getX(), 2.0, 1e-12);
             EXPECT_NEAR(std::abs(state->getY()), 3.0, 1e-12);
             EXPECT_NEAR(state->getYaw(), 0.75 + 0.5, 1e-12);
@@ -296,6 +300,7 @@ namespace ompl_mfa
 
         TEST(SliceFrame, RotationsInSpaceMoveInTheTangentSpaceOfTheInterpolatedRotation)
         {
+            Eigen::VectorXd scratch;
             const auto space = test::se3Space();
             const auto chart = std::make_shared<const StateChart>(space);
             ob::ScopedState<ob::SE3StateSpace> start(space);
@@ -310,16 +315,17 @@ namespace ompl_mfa
             ob::ScopedState<ob::SE3StateSpace> state(space);
             ob::ScopedState<ob::SE3StateSpace> middle(space);
             space->interpolate(start.get(), goal.get(), 0.5, middle.get());
-            f.toState(0, x, state.get());
+            f.toState(0, x, state.get(), scratch);
             EXPECT_LT(space->distance(state.get(), middle.get()), 1e-9);
             // OMPL's distance of two rotations is half the angle between them, and so is the coordinate
             x.tail(3) << 0.3, 0.0, 0.4;
-            f.toState(0, x, state.get());
+            f.toState(0, x, state.get(), scratch);
             EXPECT_NEAR(space->distance(state.get(), middle.get()), 0.5, 1e-9);
         }
 
         TEST(SliceFrame, TwoRobotsShareOneAxis)
         {
+            Eigen::VectorXd scratch;
             const auto space = test::twoSe2Space();
             const SliceFrame f =
                 straightFrame(space, {-3.0, 0.0, 0.0, 3.0, 1.0, 0.0}, {3.0, 0.0, 0.0, -3.0, 1.0, 1.0}, 3);
@@ -328,7 +334,7 @@ namespace ompl_mfa
             ob::ScopedState<> state(space);
             for (int repeat = 0; repeat < 50; ++repeat)
             {
-                f.toState(0, randomUnit(rng, f.dimension()), state.get());
+                f.toState(0, randomUnit(rng, f.dimension()), state.get(), scratch);
                 // the direction of all positions together is (1, 0, -1, 0): what one robot gains, the other does too
                 EXPECT_NEAR(state[0] - (-1.0), state[3] - 1.0, 1e-9);
             }
@@ -346,6 +352,7 @@ namespace ompl_mfa
 
         TEST(SliceFrame, AnAxisMayBend)
         {
+            Eigen::VectorXd scratch;
             const auto space = test::realVectorSpace(2);
             Waypoints axis(space);
             ob::ScopedState<> state(space);
@@ -357,7 +364,7 @@ namespace ompl_mfa
             }
             const SliceFrame f(std::make_shared<const StateChart>(space), axis);
             ASSERT_EQ(f.dimension(), 1);
-            f.toState(0, Eigen::VectorXd::Constant(1, std::sqrt(2.0)), state.get());
+            f.toState(0, Eigen::VectorXd::Constant(1, std::sqrt(2.0)), state.get(), scratch);
             // at the corner the slice halves the angle: it runs along (1, -1)
             EXPECT_NEAR(std::abs(state[0] - 4.0), 1.0, 1e-12);
             EXPECT_NEAR((state[0] - 4.0) + state[1], 0.0, 1e-12);

@@ -1,5 +1,6 @@
 #include "ompl_mfa/path/SliceModes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -65,6 +66,27 @@ namespace ompl_mfa
             EXPECT_NEAR(amplitudes.norm(), x.norm(), 1e-9);
             modes.toCoordinates(amplitudes, again);
             EXPECT_TRUE(again.isApprox(x, 1e-9));
+        }
+
+        TEST(SliceModesTest, CoordinatesOfAFewSlicesAreThoseOfAll)
+        {
+            for (const unsigned int segments : {12U, 801U})
+            {
+                const SliceFrame frame = cubeFrame(segments);
+                const SliceModes modes(frame);
+                const std::size_t atOnce = modes.slicesAtOnce();
+                EXPECT_EQ(atOnce >= frame.slices(), segments == 12);
+                EXPECT_GE(atOnce, 1U);
+                const Eigen::VectorXd amplitudes =
+                    Eigen::VectorXd::Random(frame.dimension()).cwiseProduct(modes.upper());
+                Eigen::VectorXd whole(frame.dimension());
+                Eigen::VectorXd parts = Eigen::VectorXd::Constant(frame.dimension(), std::nan(""));
+                modes.toCoordinates(amplitudes, whole);
+                const std::size_t few = std::max<std::size_t>(1, frame.slices() / 5);
+                for (std::size_t k = 0; k < frame.slices(); k += few)
+                    modes.toCoordinates(amplitudes, k, std::min(few, frame.slices() - k), parts);
+                EXPECT_TRUE(parts.isApprox(whole, 1e-12));
+            }
         }
 
         TEST(SliceModesTest, CoordinatesKeepToTheFrame)

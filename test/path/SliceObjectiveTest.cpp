@@ -1,6 +1,7 @@
 #include "ompl_mfa/path/SliceObjective.h"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -78,6 +79,136 @@ namespace ompl_mfa
             EXPECT_EQ(valid_, (std::vector<double>{10.0}));
             objective_.evaluate(offset(-4.0), &rival);
             EXPECT_EQ(valid_.size(), 1U);
+        }
+
+        /* Brightness that was computed under one bound is compared with that computed under another as if the bound had
+           always been the one of now. */
+        TEST_F(SliceObjectiveTest, ABoundThatMovesIsTheSameYardstickForAll)
+        {
+            const Brightness before = objective_.evaluate(offset(3.0), nullptr);
+            ASSERT_TRUE(before.isFeasible());
+            objective_.setBound(9.0);
+            // nearer to the bound than the one that was valid without it
+            const Brightness nearer = objective_.evaluate(offset(2.2), nullptr);
+            EXPECT_DOUBLE_EQ(nearer.cost, 2.0 * std::hypot(4.0, 2.2));
+            EXPECT_TRUE(objective_.isBrighter(nearer, before));
+            EXPECT_FALSE(objective_.isBrighter(before, nearer));
+            // colliding, but within the bound
+            const Brightness colliding = objective_.evaluate(offset(0.5), &before);
+            EXPECT_NEAR(colliding.violation, 2.0, 0.5);
+            EXPECT_TRUE(objective_.isBrighter(colliding, nearer));
+            EXPECT_TRUE(objective_.isBrighter(colliding, before));
+            // valid and within the bound
+            const Brightness valid = objective_.evaluate(offset(2.0), &colliding);
+            EXPECT_TRUE(valid.isFeasible());
+            EXPECT_TRUE(objective_.isBrighter(valid, colliding));
+            // without a bound, what was checked counts again, and what was not is dimmer
+            objective_.setBound(std::numeric_limits<double>::infinity());
+            EXPECT_TRUE(objective_.isBrighter(before, colliding));
+            EXPECT_TRUE(objective_.isBrighter(colliding, nearer));
+        }
+
+        TEST_F(SliceObjectiveTest, WhatIsBeyondTheBoundIsNotChecked)
+        {
+            objective_.setBound(9.0);
+            problem_.forget();
+            EXPECT_FALSE(objective_.evaluate(offset(3.0), nullptr).isFeasible());
+            EXPECT_EQ(problem_.states, 0U);
+            EXPECT_TRUE(objective_.evaluate(offset(2.0), nullptr).isFeasible());
+            EXPECT_GT(problem_.states, 0U);
+        }
+
+        /* Length that counts how often it is computed, and is infinite where a motion comes near x = 0 below y = 2. */
+        class Lethal : public ob::PathLengthOptimizationObjective
+        {
+        public:
+            using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                ++computed;
+                for (const ob::State *end : {from, to})
+                {
+                    const double *values = end->as<ob::RealVectorStateSpace::StateType>()->values;
+                    if (std::abs(values[0]) < 0.5 && values[1] < 2.0 && lethal)
+                        return infiniteCost();
+                }
+                return PathLengthOptimizationObjective::motionCost(from, to);
+            }
+
+            /* The inherited one computes the cost of a motion too. */
+            ob::Cost motionCostHeuristic(const ob::State * /*from*/, const ob::State * /*to*/) const override
+            {
+                return identityCost();
+            }
+
+            mutable unsigned int computed{0};
+            bool lethal{false};
+        };
+
+        TEST_F(SliceObjectiveTest, TheCostOfACandidateIsComputedOnce)
+        {
+            const auto counted = std::make_shared<Lethal>(problem_.si);
+            PathEvaluator evaluator(problem_.si, counted);
+            SliceObjective objective(frame_, nullptr, evaluator, [](const Waypoints &, const Brightness &) {});
+            for (const double bound : {std::numeric_limits<double>::infinity(), 9.5, 8.5})
+            {
+                objective.setBound(bound);
+                counted->computed = 0;
+                objective.evaluate(offset(2.2), nullptr);
+                EXPECT_EQ(counted->computed, 2U) << "for two motions, with bound " << bound;
+            }
+        }
+
+        TEST_F(SliceObjectiveTest, InfiniteCostsAreOrderedAndNeverNan)
+        {
+            const auto lethal = std::make_shared<Lethal>(problem_.si);
+            lethal->lethal = true;
+            PathEvaluator evaluator(problem_.si, lethal);
+            SliceObjective objective(frame_, nullptr, evaluator, [](const Waypoints &, const Brightness &) {});
+            const double inf = std::numeric_limits<double>::infinity();
+            for (const double bound : {inf, std::numeric_limits<double>::max(), 9.5})
+            {
+                objective.setBound(bound);
+                const Brightness infinite = objective.evaluate(offset(-1.5), nullptr);
+                const Brightness colliding = objective.evaluate(offset(0.5), nullptr);
+                const Brightness valid = objective.evaluate(offset(2.1), nullptr);
+                EXPECT_EQ(infinite.cost, inf);
+                EXPECT_TRUE(valid.isFeasible());
+                for (const Brightness &brightness : {infinite, colliding, valid})
+                    EXPECT_FALSE(std::isnan(brightness.violation) || std::isnan(brightness.cost));
+                EXPECT_TRUE(objective.isBrighter(valid, infinite));
+                EXPECT_FALSE(objective.isBrighter(infinite, valid));
+                EXPECT_FALSE(objective.isBrighter(infinite, infinite));
+                // one that is valid is welcome as long as no other is known, and of no use afterwards
+                EXPECT_EQ(infinite.isFeasible(), bound == inf);
+            }
+        }
+
+        /* The coordinates of many slices take as long to compute from their modes as many motion checks. */
+        TEST_F(SliceObjectiveTest, AsksTheStopConditionWhileItComputesManySlices)
+        {
+            const SliceFrame many =
+                SliceFrame::straight(frame_.chart(), frame_.axis().front(), frame_.axis().back(), 1001);
+            const SliceModes modes(many);
+            const auto counted = std::make_shared<Lethal>(problem_.si);
+            PathEvaluator evaluator(problem_.si, counted);
+            SliceObjective objective(many, &modes, evaluator, [](const Waypoints &, const Brightness &) {});
+            const Eigen::VectorXd straight = Eigen::VectorXd::Zero(many.dimension());
+            int beforeTheFirstCost = 0;
+            evaluator.setStopCondition(
+                [&]
+                {
+                    beforeTheFirstCost += counted->computed == 0 ? 1 : 0;
+                    return false;
+                });
+            objective.evaluate(straight, nullptr);
+            // a million multiplications
+            EXPECT_GE(beforeTheFirstCost, 4);
+            counted->computed = 0;
+            evaluator.setStopCondition([] { return true; });
+            EXPECT_EQ(objective.evaluate(straight, nullptr).cost, Brightness().cost);
+            EXPECT_EQ(counted->computed, 0U);
         }
 
         TEST_F(SliceObjectiveTest, OrdersBrightnessAsTheObjectiveDoes)

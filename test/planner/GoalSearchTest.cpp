@@ -1,7 +1,11 @@
 #include "ompl_mfa/planner/GoalSearch.h"
 
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -68,6 +72,94 @@ namespace ompl_mfa
                 search.advance(never, found);
             ASSERT_FALSE(found.empty());
             EXPECT_TRUE(isValid(found.front()));
+        }
+
+        /* Far from the target no distance is known: it is infinite there, or not a number. */
+        class LostGoal : public test::DistanceGoal
+        {
+        public:
+            LostGoal(const ob::SpaceInformationPtr &si, const ob::State *target, double unknown)
+              : DistanceGoal(si, target, 0.3)
+              , unknown_(unknown)
+            {
+            }
+
+            double distanceGoal(const ob::State *state) const override
+            {
+                const double distance = DistanceGoal::distanceGoal(state);
+                return distance < 4.0 ? distance : unknown_;
+            }
+
+        private:
+            double unknown_;
+        };
+
+        TEST(GoalSearch, FindsTheGoalWhereNotAllDistancesAreNumbers)
+        {
+            const auto space = test::realVectorSpace(2);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            si->setStateValidityChecker([](const ob::State *) { return true; });
+            si->setup();
+            ob::ScopedState<> origin(space);
+            ob::ScopedState<> target(space);
+            origin[0] = origin[1] = -5.0;
+            target[0] = target[1] = 5.0;
+            for (const double unknown :
+                 {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+            {
+                const auto goal = std::make_shared<LostGoal>(si, target.get(), unknown);
+                GoalSearch search(std::make_shared<const StateChart>(space), si, goal, origin.get(), 5);
+                Waypoints found(space);
+                const ob::PlannerTerminationCondition never([] { return false; });
+                for (int i = 0; i < 500 && found.empty(); ++i)
+                    search.advance(never, found);
+                ASSERT_FALSE(found.empty()) << unknown;
+                EXPECT_TRUE(goal->isSatisfied(found.front()));
+            }
+        }
+
+        /* Knows which states it was asked about. */
+        class NeverSatisfied : public ob::GoalRegion
+        {
+        public:
+            using GoalRegion::GoalRegion;
+
+            double distanceGoal(const ob::State *state) const override
+            {
+                const double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                asked.emplace_back(values[0], values[1]);
+                return 1e9;
+            }
+
+            mutable std::vector<std::pair<double, double>> asked;
+        };
+
+        TEST(GoalSearch, EverySwarmOfNeighbouringSeedsDrawsStatesOfItsOwn)
+        {
+            const auto space = test::realVectorSpace(2);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            si->setStateValidityChecker([](const ob::State *) { return true; });
+            si->setup();
+            ob::ScopedState<> origin(space);
+            origin[0] = origin[1] = -5.0;
+            const ob::PlannerTerminationCondition never([] { return false; });
+            std::set<std::pair<double, double>> states;
+            for (const std::uint64_t seed : {5U, 6U, 12U})
+            {
+                const auto goal = std::make_shared<NeverSatisfied>(si);
+                GoalSearch search(std::make_shared<const StateChart>(space), si, goal, origin.get(), seed);
+                Waypoints found(space);
+                for (int swarm = 0; swarm < 3; ++swarm)
+                {
+                    goal->asked.clear();
+                    search.advance(never, found);
+                    ASSERT_EQ(goal->asked.size(), 30U);
+                    states.insert(goal->asked.begin(), goal->asked.end());
+                    for (int generation = 0; generation < 50; ++generation)
+                        search.advance(never, found);
+                }
+            }
+            EXPECT_EQ(states.size(), 3U * 3U * 30U);
         }
 
         TEST(GoalSearch, StopsWithTheCondition)

@@ -1,6 +1,12 @@
 #include "ompl_mfa/planner/Swarm.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <memory>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -119,6 +125,128 @@ namespace ompl_mfa
                 return sum / static_cast<double>(swarm.fireflies().population().cols());
             };
             EXPECT_LT(meanLength(Swarm::Coordinates::Modes), 0.9 * meanLength(Swarm::Coordinates::Offsets));
+        }
+
+        /* A bound that no valid path keeps to: what was valid before must not lead the swarm any more. */
+        TEST_F(SwarmTest, ABoundThatMovesMeasuresTheWholeSwarm)
+        {
+            for (std::uint64_t seed = 1; seed <= 5; ++seed)
+            {
+                settings_.generations = 100;
+                Swarm swarm = makeSwarm(seed);
+                while (!swarm.fireflies().bestBrightness().isFeasible())
+                    ASSERT_TRUE(swarm.step(never));
+                ASSERT_GE(swarm.fireflies().bestBrightness().cost, test::wallOptimum());
+                swarm.setBound(0.9 * test::wallOptimum());
+                for (int i = 0; i < 20; ++i)
+                    swarm.step(never);
+                const FireflyOptimizer &fireflies = swarm.fireflies();
+                EXPECT_LT(fireflies.bestBrightness().cost, 0.9 * test::wallOptimum()) << "seed " << seed;
+                EXPECT_LT(fireflies.brightness(fireflies.brightestIndex()).cost, 0.9 * test::wallOptimum());
+            }
+        }
+
+        /* In [0, 1], the first offsets of the fireflies of an epoch, or the fresh ones of recombination, on the one
+           slice of a frame: the numbers that were drawn. */
+        class SwarmStreams : public ::testing::Test
+        {
+        protected:
+            class Recording : public ob::PathLengthOptimizationObjective
+            {
+            public:
+                using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
+
+                ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+                {
+                    // the straight motion from start to goal is costed for its bound
+                    if (test::coordinate(from, 0) == 1.0 && test::coordinate(to, 0) < 9.0)
+                        ends.insert(std::llround(1e9 * test::coordinate(to, 1) / 10.0));
+                    return PathLengthOptimizationObjective::motionCost(from, to);
+                }
+
+                mutable std::set<long long> ends;
+            };
+
+            std::unique_ptr<Swarm> makeSwarm(std::uint64_t seed)
+            {
+                FireflyOptimizer::Settings settings;
+                settings.populationSize = 30;
+                settings.generations = 1;
+                return std::make_unique<Swarm>(
+                    SliceFrame::straight(std::make_shared<const StateChart>(problem_->si->getStateSpace()),
+                                         problem_->state({1.0, 5.0}).get(), problem_->state({9.0, 5.0}).get(), 2),
+                    Swarm::Coordinates::Offsets, evaluator_, settings, seed,
+                    [](const Waypoints &, const Brightness &) {});
+            }
+
+            std::set<long long> evaluated(Swarm &swarm)
+            {
+                objective_->ends.clear();
+                EXPECT_TRUE(swarm.step([] { return false; }));
+                return std::exchange(objective_->ends, {});
+            }
+
+            std::unique_ptr<test::PlanningProblem> problem_ = test::freeProblem();
+            std::shared_ptr<Recording> objective_ = std::make_shared<Recording>(problem_->si);
+            PathEvaluator evaluator_{problem_->si, objective_};
+        };
+
+        TEST_F(SwarmStreams, EpochsAndRecombinationDrawDifferentNumbers)
+        {
+            std::set<long long> all;
+            std::size_t drawn = 0;
+            const auto add = [&](const std::set<long long> &numbers)
+            {
+                drawn += numbers.size();
+                all.insert(numbers.begin(), numbers.end());
+            };
+            for (const std::uint64_t seed : {1U, 2U, 8U})
+            {
+                const auto swarm = makeSwarm(seed);
+                const std::set<long long> first = evaluated(*swarm);
+                EXPECT_EQ(first.size(), 30U);
+                add(first);
+                // the candidates are the brightest 20, which were evaluated, and 16 fresh ones
+                objective_->ends.clear();
+                Waypoints found(problem_->si->getStateSpace());
+                swarm->recombine(found, std::numeric_limits<double>::infinity(), 1, found);
+                std::set<long long> fresh;
+                std::set_difference(objective_->ends.begin(), objective_->ends.end(), first.begin(), first.end(),
+                                    std::inserter(fresh, fresh.end()));
+                EXPECT_EQ(fresh.size(), 16U);
+                add(fresh);
+                evaluated(*swarm);
+                // of the next epoch's fireflies six are of the swarm before
+                std::set<long long> second = evaluated(*swarm);
+                ASSERT_EQ(swarm->epoch(), 1U);
+                for (int i = 0; i < 6; ++i)
+                {
+                    Waypoints path(problem_->si->getStateSpace());
+                    swarm->pathOf(i, path);
+                    second.erase(std::llround(1e9 * test::coordinate(path[1], 1) / 10.0));
+                }
+                EXPECT_EQ(second.size(), 24U);
+                add(second);
+            }
+            EXPECT_EQ(all.size(), drawn);
+        }
+
+        TEST_F(SwarmTest, CountsTheMovesOfALargeSwarmAsWork)
+        {
+            settings_.populationSize = 400;
+            Swarm swarm = makeSwarm(3);
+            ASSERT_TRUE(swarm.step(never));
+            const std::uint64_t before = evaluator_.work();
+            std::uint64_t moved = 0;
+            // until the first evaluation of the generation
+            swarm.step(
+                [&]
+                {
+                    moved = evaluator_.work() - before;
+                    return swarm.evaluations() > 400;
+                });
+            // 400 * 399 / 2 moves of 3 coordinates
+            EXPECT_GT(moved, 400U * 399U / 2U * 3U / 100U);
         }
 
         TEST_F(SwarmTest, StopsBeforeAnyEvaluation)

@@ -122,6 +122,10 @@ namespace ompl_mfa
             up the violation. Only a path of which every state is valid is ever feasible. */
         Brightness evaluate(const Waypoints &path, const Brightness *rival, unsigned int stride = 1);
 
+        /** \brief The same for a path whose \e cost is known. */
+        Brightness evaluate(const Waypoints &path, ompl::base::Cost cost, const Brightness *rival,
+                            unsigned int stride = 1);
+
         bool isBrighter(const Brightness &a, const Brightness &b) const;
 
         /** \brief \e factor (at least 1) times \e cost where that is a worse cost and finite, else \e cost: for

@@ -77,17 +77,17 @@ namespace ompl_mfa
             return chart_;
         }
 
-        /** \brief The state at coordinates \e x (d, of all slices) on slice \e k; always within the space's bounds. */
-        void toState(std::size_t k, const Eigen::Ref<const Eigen::VectorXd> &x, ompl::base::State *state) const;
+        /** \brief The state at coordinates \e x (d, of all slices) on slice \e k; always within the space's bounds.
+            \e scratch is the caller's, of any size and content: kept from call to call, it saves the allocation. */
+        void toState(std::size_t k, const Eigen::Ref<const Eigen::VectorXd> &x, ompl::base::State *state,
+                     Eigen::VectorXd &scratch) const;
 
-        /** \brief The path (slices() + 2 states, with start and goal) at coordinates \e x (d). */
-        void toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, Waypoints &path) const;
+        /** \brief The path (slices() + 2 states, with start and goal) at coordinates \e x (d); \e scratch as in
+            toState. */
+        void toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, Waypoints &path, Eigen::VectorXd &scratch) const;
 
-        /** \brief Writes the coordinates of \e state on slice \e k into \e x (d, of all slices); what lies along the
-            axis is lost. Inverse of toState for states on the slice. */
-        void toCoordinates(std::size_t k, const ompl::base::State *state, Eigen::Ref<Eigen::VectorXd> x) const;
-
-        /** \brief The coordinates of \e path (slices() + 2 states, one on each slice between start and goal). */
+        /** \brief The coordinates \e x (d) of \e path (slices() + 2 states, one on each slice between start and
+            goal); what lies along the axis is lost. Inverse of toWaypoints for states on the slices. */
         void toCoordinates(const Waypoints &path, Eigen::Ref<Eigen::VectorXd> x) const;
 
         /** \brief Lays the slices of a straight frame across a path of any number of states: on each slice the first
@@ -111,7 +111,6 @@ namespace ompl_mfa
         std::vector<Slice> slices_;
         Eigen::VectorXd lower_;
         Eigen::VectorXd upper_;
-        mutable Eigen::VectorXd delta_;
     };
 }  // namespace ompl_mfa
 

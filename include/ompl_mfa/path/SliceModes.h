@@ -1,6 +1,8 @@
 #ifndef OMPL_MFA_PATH_SLICE_MODES_
 #define OMPL_MFA_PATH_SLICE_MODES_
 
+#include <cstddef>
+
 #include <Eigen/Core>
 
 #include "ompl_mfa/path/SliceFrame.h"
@@ -38,6 +40,13 @@ namespace ompl_mfa
         /** \brief The frame's coordinates \e x (d) at \e amplitudes (d); what would leave the frame's box is set to its
             bound. */
         void toCoordinates(const Eigen::Ref<const Eigen::VectorXd> &amplitudes, Eigen::Ref<Eigen::VectorXd> x) const;
+
+        /** \brief The same for \e count slices from slice \e first on: only their coordinates of \e x are written. */
+        void toCoordinates(const Eigen::Ref<const Eigen::VectorXd> &amplitudes, std::size_t first, std::size_t count,
+                           Eigen::Ref<Eigen::VectorXd> x) const;
+
+        /** \brief How many slices, at least one, take no more than a fraction of a millisecond. */
+        std::size_t slicesAtOnce() const;
 
         /** \brief The amplitudes (d) at the frame's coordinates \e x (d). */
         void toAmplitudes(const Eigen::Ref<const Eigen::VectorXd> &x, Eigen::Ref<Eigen::VectorXd> amplitudes) const;

@@ -39,6 +39,7 @@ namespace ompl_mfa
         Waypoints satisfying_;
         ompl::base::State *state_;
         std::uint64_t seed_;
+        std::uint64_t epoch_{0};
         FireflyOptimizer fireflies_;
     };
 }  // namespace ompl_mfa

@@ -35,11 +35,8 @@ namespace ompl_mfa
             generation. */
         void inject(const Waypoints &path);
 
-        /** \brief As SliceObjective::setBound. */
-        void setBound(double bound)
-        {
-            objective_.setBound(bound);
-        }
+        /** \brief As SliceObjective::setBound; the fireflies are ordered by the new bound. */
+        void setBound(double bound);
 
         /** \brief As PathEvaluator::evaluate. */
         void setStride(unsigned int stride)
@@ -47,11 +44,13 @@ namespace ompl_mfa
             objective_.setStride(stride);
         }
 
-        /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. */
+        /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. Allocates; not
+            for the search. */
         void pathOf(Eigen::Index i, Waypoints &path) const;
 
-        /** \brief One generation, as FireflyOptimizer::step. After the last generation of an epoch the next begins
-            with the brightest fifth of the old swarm among new random fireflies. */
+        /** \brief One generation, as FireflyOptimizer::step, whose operations are counted as work of the evaluator.
+            After the last generation of an epoch the next begins with the brightest fifth of the old swarm among new
+            random fireflies. */
         bool step(const FireflyOptimizer::StopCondition &stop);
 
         /** \brief Recombination: searches the graph of the fireflies' points, of \e path (one state on each slice; may
@@ -85,19 +84,23 @@ namespace ompl_mfa
         void beginEpoch();
         std::unique_ptr<FireflyOptimizer> makeFireflies(const FireflyOptimizer::Settings &settings,
                                                         std::uint64_t seed) const;
-        void offsetsOf(Eigen::Index i) const;
+        void countOperations();
+        bool addCandidates();
 
         SliceFrame frame_;
+        PathEvaluator &evaluator_;
         std::unique_ptr<SliceModes> modes_;
         SliceObjective objective_;
         SliceGraph graph_;
         RandomSource random_;
         Waypoints point_;
-        mutable Eigen::VectorXd coordinates_;  ///< of the frame
+        Eigen::VectorXd coordinates_;  ///< of the frame
+        Eigen::VectorXd scratch_;
         std::uint64_t seed_;
         std::unique_ptr<FireflyOptimizer> fireflies_;
         unsigned int epoch_{0};
         std::uint64_t earlierEvaluations_{0};
+        std::uint64_t countedOperations_{0};  ///< of fireflies_, as far as they were added to the evaluator's work
     };
 }  // namespace ompl_mfa
 

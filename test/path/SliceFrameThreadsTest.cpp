@@ -1,0 +1,148 @@
+/* One frame, read by several threads at once: const member functions are safe to call together, each thread with a
+   scratch of its own. */
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ompl_mfa/path/SliceFrame.h"
+#include "ompl_mfa/path/SliceModes.h"
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        class SliceFrameThreads : public ::testing::Test
+        {
+        protected:
+            static constexpr unsigned int THREADS = 4;
+            static constexpr int REPEATS = 3000;
+
+            SliceFrameThreads()
+              : frame_(makeFrame())
+              , modes_(frame_)
+            {
+                ompl::RNG rng(11);
+                for (unsigned int i = 0; i < THREADS; ++i)
+                {
+                    Eigen::VectorXd x(frame_.dimension());
+                    for (Eigen::Index k = 0; k < x.size(); ++k)
+                        x[k] = rng.uniformReal(-0.5, 0.5);
+                    coordinates_.push_back(x);
+                    Eigen::VectorXd scratch;
+                    Waypoints path(space_);
+                    frame_.toWaypoints(x, path, scratch);
+                    paths_.push_back(path);
+                }
+            }
+
+            SliceFrame makeFrame() const
+            {
+                ob::ScopedState<ob::SE3StateSpace> start(space_);
+                ob::ScopedState<ob::SE3StateSpace> goal(space_);
+                start->setXYZ(-4.0, 0.0, 1.0);
+                start->rotation().setIdentity();
+                goal->setXYZ(4.0, 2.0, -1.0);
+                goal->rotation().setAxisAngle(0.0, 0.0, 1.0, 1.0);
+                return SliceFrame::straight(std::make_shared<const StateChart>(space_), start.get(), goal.get(), 9);
+            }
+
+            bool samePath(const Waypoints &a, const Waypoints &b) const
+            {
+                bool same = a.size() == b.size();
+                for (std::size_t i = 0; same && i < a.size(); ++i)
+                    same = space_->equalStates(a[i], b[i]);
+                return same;
+            }
+
+            /* How often an answer that a thread had, beside the others, was not the one that it has alone. */
+            static unsigned int differences(const std::function<bool(unsigned int)> &asAlone)
+            {
+                std::atomic<unsigned int> wrong{0};
+                std::vector<std::thread> threads;
+                for (unsigned int i = 0; i < THREADS; ++i)
+                {
+                    threads.emplace_back(
+                        [&asAlone, &wrong, i]
+                        {
+                            for (int repeat = 0; repeat < REPEATS; ++repeat)
+                            {
+                                if (!asAlone(i))
+                                    ++wrong;
+                            }
+                        });
+                }
+                for (auto &thread : threads)
+                    thread.join();
+                return wrong;
+            }
+
+            ob::StateSpacePtr space_ = test::se3Space();
+            SliceFrame frame_;
+            SliceModes modes_;
+            std::vector<Eigen::VectorXd> coordinates_;
+            std::vector<Waypoints> paths_;
+        };
+
+        TEST_F(SliceFrameThreads, WaypointsAreThoseOfTheirCoordinates)
+        {
+            EXPECT_EQ(differences(
+                          [this](unsigned int i)
+                          {
+                              Eigen::VectorXd scratch;
+                              Waypoints path(space_);
+                              frame_.toWaypoints(coordinates_[i], path, scratch);
+                              return samePath(path, paths_[i]);
+                          }),
+                      0U);
+        }
+
+        TEST_F(SliceFrameThreads, CoordinatesAreThoseOfTheirPath)
+        {
+            EXPECT_EQ(differences(
+                          [this](unsigned int i)
+                          {
+                              Eigen::VectorXd x(frame_.dimension());
+                              frame_.toCoordinates(paths_[i], x);
+                              return (x - coordinates_[i]).norm() < 1e-6;
+                          }),
+                      0U);
+        }
+
+        TEST_F(SliceFrameThreads, CrossingsAreThoseOfTheirPath)
+        {
+            std::vector<Waypoints> alone(THREADS, Waypoints(space_));
+            for (unsigned int i = 0; i < THREADS; ++i)
+                ASSERT_TRUE(frame_.crossings(paths_[i], alone[i]));
+            EXPECT_EQ(differences(
+                          [&](unsigned int i)
+                          {
+                              Waypoints onSlices(space_);
+                              return frame_.crossings(paths_[i], onSlices) && samePath(onSlices, alone[i]);
+                          }),
+                      0U);
+        }
+
+        TEST_F(SliceFrameThreads, ModesAreThoseOfTheirCoordinates)
+        {
+            std::vector<Eigen::VectorXd> alone(THREADS, Eigen::VectorXd(frame_.dimension()));
+            for (unsigned int i = 0; i < THREADS; ++i)
+                modes_.toCoordinates(coordinates_[i], alone[i]);
+            EXPECT_EQ(differences(
+                          [&](unsigned int i)
+                          {
+                              Eigen::VectorXd x(frame_.dimension());
+                              modes_.toCoordinates(coordinates_[i], x);
+                              return x == alone[i];
+                          }),
+                      0U);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
