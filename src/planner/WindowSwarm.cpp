@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ob = ompl::base;
@@ -27,7 +28,17 @@ namespace ompl_mfa
         for (std::size_t i = window_.first; i <= window_.last; ++i)
             part_.append(window_.path[i]);
         cost_ = evaluator_.cost(part_);
-        bound_ = cost_.value() + evaluator_.withSlack(window_.pathCost, 1.0 + SLACK) - window_.pathCost;
+        bound_ = boundOf(cost_);
+    }
+
+    /* The slack is a part of the whole path's cost, or of the segment's own where the path has no finite cost. What
+       replaces a segment of infinite cost only has to have a finite one. */
+    double WindowSwarm::boundOf(ob::Cost segment) const
+    {
+        const double whole = std::isfinite(window_.pathCost) ? window_.pathCost : segment.value();
+        const double slack = std::isfinite(whole) ? evaluator_.withSlack(whole, 1.0 + SLACK) - whole : 0.0;
+        return std::clamp(segment.value() + slack, std::numeric_limits<double>::lowest(),
+                          std::numeric_limits<double>::max());
     }
 
     std::unique_ptr<WindowSwarm> WindowSwarm::open(Window window, Frame frame, unsigned int slices,
@@ -40,12 +51,7 @@ namespace ompl_mfa
         if (laid.dimension() == 0)
             return nullptr;
         const auto validWay = [found = result.get()](const Waypoints &way, const Brightness &brightness)
-        {
-            if (!found->found_.empty() && !found->evaluator_.isBrighter(brightness, {0.0, found->foundCost_}))
-                return;
-            found->found_ = way;
-            found->foundCost_ = brightness.cost;
-        };
+        { found->take(way, brightness.cost); };
         result->swarm_ =
             std::make_unique<Swarm>(std::move(laid), Swarm::Coordinates::Modes, evaluator, settings, seed, validWay);
         result->swarm_->setBound(result->bound_);
@@ -97,9 +103,24 @@ namespace ompl_mfa
         return swarm_->step(stop);
     }
 
+    bool WindowSwarm::take(const Waypoints &segment, double cost)
+    {
+        if (!found_.empty() && !evaluator_.objective()->isCostBetterThan(ob::Cost(cost), ob::Cost(foundCost_)))
+            return false;
+        found_ = segment;
+        foundCost_ = cost;
+        return true;
+    }
+
     bool WindowSwarm::recombine(std::uint64_t work)
     {
-        return swarm_->recombine(Waypoints(window_.path.space()), bound_, work, found_);
+        const Waypoints none(window_.path.space());
+        Waypoints spliced(window_.path.space());
+        // where the stop condition left the cost of what was found unknown, that is no bound
+        const bool better =
+            !found_.empty() && evaluator_.objective()->isCostBetterThan(ob::Cost(foundCost_), ob::Cost(bound_));
+        return swarm_->recombine(none, better ? foundCost_ : bound_, work, spliced) &&
+               take(spliced, evaluator_.cost(spliced).value());
     }
 
     bool WindowSwarm::exhausted() const

@@ -1,5 +1,7 @@
 #include "ompl_mfa/planner/WindowSwarm.h"
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -130,6 +132,97 @@ namespace ompl_mfa
                 EXPECT_TRUE(evaluator_.checkPath(window->withWay(window->found())));
             }
             EXPECT_GE(found, 5U);
+        }
+
+        TEST_P(WindowSwarmTest, WhatRecombinationFoundIsReplacedByWhatIsBetter)
+        {
+            unsigned int found = 0;
+            unsigned int replaced = 0;
+            for (std::uint64_t seed = 0; seed < 30; ++seed)
+            {
+                settings_.generations = 60;
+                const auto window = open(detour_, 1, 4, seed);
+                if (!window->recombine(200000))
+                    continue;
+                ++found;
+                const double spliced = window->found().length();
+                while (!window->exhausted())
+                {
+                    const double before = window->found().length();
+                    window->step(never);
+                    EXPECT_LE(window->found().length(), before);
+                }
+                replaced += window->found().length() < spliced ? 1 : 0;
+                const double best = window->found().length();
+                if (window->recombine(200000))
+                    EXPECT_LT(window->found().length(), best);
+                else
+                    EXPECT_EQ(window->found().length(), best);
+            }
+            EXPECT_GE(found, 10U);
+            EXPECT_GE(replaced, 1U);
+        }
+
+        /* Length, but infinite where a motion enters the band of the wall below y = 3.4. */
+        class LethalBand : public ob::PathLengthOptimizationObjective
+        {
+        public:
+            using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                constexpr int PIECES = 100;
+                ob::ScopedState<> state(si_->getStateSpace());
+                for (int i = 0; i <= PIECES; ++i)
+                {
+                    si_->getStateSpace()->interpolate(from, to, static_cast<double>(i) / PIECES, state.get());
+                    if (state[0] > 4.5 && state[0] < 5.5 && state[1] < 3.4)
+                        return infiniteCost();
+                }
+                return PathLengthOptimizationObjective::motionCost(from, to);
+            }
+        };
+
+        TEST_P(WindowSwarmTest, WhatReplacesASegmentOfInfiniteCostHasAFiniteOne)
+        {
+            problem_ = test::freeProblem();
+            const auto objective = std::make_shared<LethalBand>(problem_->si);
+            PathEvaluator evaluator(problem_->si, objective);
+            const Waypoints through = path({{1.0, 1.0}, {3.0, 1.0}, {5.0, 2.0}, {7.0, 1.0}, {9.0, 1.0}});
+            const double cost = evaluator.cost(through).value();
+            ASSERT_EQ(cost, std::numeric_limits<double>::infinity());
+            unsigned int found = 0;
+            for (std::uint64_t seed = 0; seed < 10; ++seed)
+            {
+                const auto window = WindowSwarm::open({through, 0, 4, cost}, GetParam(), 6,
+                                                      std::make_shared<const StateChart>(problem_->si->getStateSpace()),
+                                                      evaluator, settings_, seed);
+                fly(*window);
+                if (window->found().empty())
+                    continue;
+                ++found;
+                EXPECT_TRUE(std::isfinite(evaluator.cost(window->found()).value())) << "seed " << seed;
+            }
+            EXPECT_GE(found, 1U);
+        }
+
+        TEST_P(WindowSwarmTest, ASegmentOfFiniteCostInAPathOfInfiniteCostHasASlackOfItsOwn)
+        {
+            problem_ = test::freeProblem();
+            const auto objective = std::make_shared<LethalBand>(problem_->si);
+            PathEvaluator evaluator(problem_->si, objective);
+            const Waypoints through = path({{1.0, 1.0}, {2.0, 2.0}, {3.0, 1.0}, {5.0, 2.0}, {9.0, 1.0}});
+            const auto chart = std::make_shared<const StateChart>(problem_->si->getStateSpace());
+            const auto window = WindowSwarm::open({through, 0, 2, std::numeric_limits<double>::infinity()}, GetParam(),
+                                                  6, chart, evaluator, settings_, 3);
+            EXPECT_DOUBLE_EQ(window->bound(), 1.15 * 2.0 * std::sqrt(2.0));
+            // the extreme numbers stand for infinite costs too
+            for (const double extreme : {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()})
+            {
+                const auto other =
+                    WindowSwarm::open({through, 0, 4, extreme}, GetParam(), 6, chart, evaluator, settings_, 3);
+                EXPECT_TRUE(std::isfinite(other->bound()));
+            }
         }
 
         TEST_P(WindowSwarmTest, ThereIsNoneWhereSlicesHaveNoCoordinates)

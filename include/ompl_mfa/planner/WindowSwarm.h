@@ -28,7 +28,7 @@ namespace ompl_mfa
             Curved
         };
 
-        /** \brief The vertices \e first < \e last of a path of cost \e pathCost. */
+        /** \brief The vertices \e first < \e last of a path of cost \e pathCost, which may be infinite. */
         struct Window
         {
             Waypoints path;
@@ -46,16 +46,23 @@ namespace ompl_mfa
         /** \brief One generation, as FireflyOptimizer::step. */
         bool step(const FireflyOptimizer::StopCondition &stop);
 
-        /** \brief As Swarm::recombine; true if found() is now what it came upon. */
+        /** \brief As Swarm::recombine; true if it found a better segment than found(), which that now is. */
         bool recombine(std::uint64_t work);
 
         /** \brief Whether all generations were made. */
         bool exhausted() const;
 
-        /** \brief The best valid way so far from the first vertex of the window to its last; empty if there is none. */
+        /** \brief The best valid segment so far from the first vertex of the window to its last; empty before the
+            first. */
         const Waypoints &found() const
         {
             return found_;
+        }
+
+        /** \brief What a segment has to cost less than: never infinite, whatever the path costs. */
+        double bound() const
+        {
+            return bound_;
         }
 
         /** \brief The way that the path takes. */
@@ -88,15 +95,17 @@ namespace ompl_mfa
         SliceFrame straightFrame(const StateChartPtr &chart, unsigned int slices) const;
         SliceFrame curvedFrame(const StateChartPtr &chart, unsigned int slices) const;
         double reach(double axis) const;
+        double boundOf(ompl::base::Cost segment) const;
+        bool take(const Waypoints &segment, double cost);
 
         Window window_;
         PathEvaluator &evaluator_;
         Waypoints part_;
         ompl::base::Cost cost_;
-        double bound_;  ///< that a way's cost has to keep
+        double bound_;
         std::unique_ptr<Swarm> swarm_;
         Waypoints found_;
-        double foundCost_{0.0};
+        double foundCost_{0.0};  ///< of found_, unless that is empty
     };
 }  // namespace ompl_mfa
 
