@@ -163,6 +163,7 @@ namespace ompl_mfa
             optimizer.step(flat, never);
             ASSERT_EQ(flat.points.size(), 7U + 8U * 5U)
                 << "a trial equal to its firefly would be left out; choose another seed";
+            unsigned int both = 0;
             for (int i = 0; i < 8; ++i)
             {
                 const auto *trial = &flat.points[7 + 5 * static_cast<std::size_t>(i)];
@@ -176,6 +177,7 @@ namespace ompl_mfa
                     if (newIn8 && newIn9)
                     {
                         EXPECT_EQ(trial[0][j], trial[1][j]);
+                        ++both;
                     }
                     EXPECT_TRUE(trial[2][j] == x(j, i) || trial[2][j] == trial[3][j]);
                     if (newIn8 || newIn9)
@@ -184,7 +186,7 @@ namespace ompl_mfa
                         lambdas.insert(std::lround(1e9 * (trial[3][j] - new1) / (best[j] - worst[j])));
                     }
                 }
-                EXPECT_LE(lambdas.size(), 1U);
+                EXPECT_EQ(lambdas.size(), 1U) << "one of four components at least shows F_new1";
                 for (const long lambda : lambdas)
                 {
                     EXPECT_GE(lambda, 0);
@@ -198,38 +200,52 @@ namespace ompl_mfa
                 EXPECT_GE(weights.minCoeff(), -1e-9);
                 EXPECT_LT(weights.maxCoeff(), 1.0 + 1e-9);
             }
+            EXPECT_GT(both, 4U);
             for (std::size_t k = 0; k < flat.hadRival.size(); ++k)
                 EXPECT_EQ(flat.hadRival[k], k >= 7) << "only trial vectors have a rival";
         }
 
         TEST(FireflyFormulas, drawsFourDistinctFireflies)
         {
-            // Firefly i sits at 10^i: F_n1 + l1 (F_n2 - F_n3) + l2 (F_n3 - F_n4) of four fireflies, were two of them
-            // the same, would miss one of the four powers. Their use is read off a least-squares fit that needs all
-            // four to be distinct.
-            auto settings = small(Variant::MFA, 4, 2000);
+            // The fireflies are the unit vectors, so that the components of a trial are the weights of the fireflies.
+            // With N of them the best is e_0 and the worst e_(N-1), and eq. (11) makes of F_n1 + l1 (F_n2 - F_n3) +
+            // l2 (F_n3 - F_n4) + l (e_0 - e_(N-1)) the weights 1, l1, l2 - l1, -l2 at four fireflies, and l, -l at two.
+            constexpr unsigned int SIZE = 12;
+            constexpr unsigned int GENERATIONS = 200;
+            auto settings = small(Variant::MFA, SIZE, 2000);
             settings.alpha = 0.0;
             settings.trialVectors = {{false, false, false, true, false}};
-            FireflyOptimizer optimizer(settings, constant(4, -1e6), constant(4, 1e6), 5);
-            for (int i = 0; i < 4; ++i)
-                optimizer.inject(Eigen::Vector4d::Unit(i));
+            FireflyOptimizer optimizer(settings, constant(SIZE, -10.0), constant(SIZE, 10.0), 5);
+            for (unsigned int i = 0; i < SIZE; ++i)
+                optimizer.inject(Eigen::VectorXd::Unit(SIZE, i));
             Recorder flat([](const std::vector<double> &) { return 1.0; });
             optimizer.step(flat, never);
-            for (int generation = 0; generation < 500; ++generation)
+            unsigned int readable = 0;
+            std::vector<unsigned int> timesFirst(SIZE, 0);
+            for (unsigned int generation = 0; generation < GENERATIONS; ++generation)
             {
                 flat.points.clear();
                 optimizer.step(flat, never);
-                // Unit vectors: the components are the weights. Best is e0 and worst e3, so F_new2 - l (e0 - e3) must
-                // have the weights 1, l1, l2 - l1 and -l2 in some order, whose sum is 1 whatever the draw; with a
-                // repetition the four fireflies would be three at most and one of e1, e2 could be missing only together
-                // with e0 or e3.
-                for (std::size_t k = 3; k < flat.points.size(); ++k)
+                ASSERT_EQ(flat.points.size(), SIZE - 1U + SIZE) << "all but the brightest move, then come the trials";
+                for (std::size_t k = SIZE - 1; k < flat.points.size(); ++k)
                 {
-                    EXPECT_NEAR(flat.points[k].sum(), 1.0, 1e-9);
-                    EXPECT_NE(flat.points[k][1], 0.0);
-                    EXPECT_NE(flat.points[k][2], 0.0);
+                    const Eigen::VectorXd &trial = flat.points[k];
+                    // where best and worst are among the four drawn, their weights cannot be told apart
+                    if (trial[0] != -trial[SIZE - 1])
+                        continue;
+                    ++readable;
+                    const auto inner = trial.segment(1, SIZE - 2).array();
+                    EXPECT_EQ((inner != 0.0).count(), 4);
+                    EXPECT_EQ((inner == 1.0).count(), 1) << "F_n1 keeps its whole weight";
+                    for (unsigned int i = 1; i + 1 < SIZE; ++i)
+                        timesFirst[i] += trial[i] == 1.0 ? 1 : 0;
                 }
             }
+            // neither is drawn in 10 * 9 * 8 * 7 of 12 * 11 * 10 * 9 cases, and then each of ten is as often n1
+            const double expected = SIZE * GENERATIONS * 14.0 / 33.0;
+            EXPECT_NEAR(readable, expected, 0.1 * expected);
+            for (unsigned int i = 1; i + 1 < SIZE; ++i)
+                EXPECT_NEAR(timesFirst[i], 0.1 * expected, 0.05 * expected) << "F_" << i;
         }
 
         TEST(FireflyFormulas, schedulesEndWhereEquations13And14Say)

@@ -104,6 +104,69 @@ namespace ompl_mfa
             EXPECT_TRUE(optimizer.population().col(optimizer.brightestIndex()) == optimizer.best());
         }
 
+        /* Orders by the distance of the cost from an aim, which may move. */
+        class Aimed : public ObjectiveFunction
+        {
+        public:
+            Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness * /*rival*/) override
+            {
+                return {0.0, x[0]};
+            }
+
+            bool isBrighter(const Brightness &a, const Brightness &b) const override
+            {
+                return std::abs(a.cost - aim) < std::abs(b.cost - aim);
+            }
+
+            double aim{-4.0};
+        };
+
+        TEST(FireflyInputs, anOrderThatChangesIsThatOfTheWholePopulation)
+        {
+            for (const std::uint64_t evaluations : {0U, 5U, 12U, 15U, 30U})
+            {
+                auto optimizer = makeOptimizer(small(Variant::MFA), 4);
+                Aimed objective;
+                optimizer.step(objective, never);
+                const std::uint64_t limit = optimizer.evaluations() + evaluations;
+                optimizer.step(objective, [&] { return optimizer.evaluations() >= limit; });
+                objective.aim = 6.0;
+                optimizer.orderChanged(objective);
+                const auto isBest = [&]
+                {
+                    for (unsigned int i = 0; i < 12; ++i)
+                        EXPECT_FALSE(objective.isBrighter(optimizer.brightness(i), optimizer.bestBrightness()));
+                };
+                isBest();
+                ASSERT_TRUE(optimizer.step(objective, never));
+                isBest();
+                for (unsigned int rank = 1; rank < 12; ++rank)
+                    EXPECT_FALSE(objective.isBrighter(optimizer.brightness(optimizer.order()[rank]),
+                                                      optimizer.brightness(optimizer.order()[rank - 1])));
+                for (int t = 0; t < 20; ++t)
+                    optimizer.step(objective, never);
+                EXPECT_NEAR(optimizer.best()[0], 6.0, 0.1) << "the swarm follows the new order";
+            }
+        }
+
+        TEST(FireflyInputs, fireflyMoveTowardTheBrighterOfTheNewOrder)
+        {
+            auto settings = small(Variant::FA, 2);
+            settings.alpha = 0.0;
+            settings.gamma = 0.0;
+            auto optimizer = makeOptimizer(settings);
+            optimizer.inject(Eigen::Vector3d(0.0, 1.0, 10.0));
+            optimizer.inject(Eigen::Vector3d(5.0, 1.0, 10.0));
+            Aimed objective;
+            optimizer.step(objective, never);
+            ASSERT_EQ(optimizer.brightestIndex(), 0U);
+            objective.aim = 6.0;
+            optimizer.orderChanged(objective);
+            optimizer.step(objective, never);
+            EXPECT_EQ(optimizer.population()(0, 1), 5.0);
+            EXPECT_EQ(optimizer.population()(0, 0), 5.0) << "attracted all the way by the one that is brighter now";
+        }
+
         TEST(FireflyInputs, injectionInTheMiddleOfAGenerationSurvivesIt)
         {
             auto optimizer = makeOptimizer(small(Variant::FA));

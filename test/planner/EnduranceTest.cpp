@@ -3,6 +3,7 @@
 
 #include <malloc.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace ompl_mfa
 {
     namespace
     {
+        constexpr double NEVER = std::numeric_limits<double>::infinity();
+
         class Endurance : public ::testing::TestWithParam<test::Engine>
         {
         protected:
@@ -32,11 +35,15 @@ namespace ompl_mfa
         TEST_P(Endurance, CyclesOfSolveAndClear)
         {
             const auto planner = problem_->planner(GetParam());
+            unsigned int exact = 0;
             for (int i = 0; i < 30; ++i)
             {
-                const auto status = planner->solve(test::afterCalls(1 + 100 * static_cast<unsigned int>(i)));
+                const auto status = planner->solve(test::afterCalls(1 + 300 * static_cast<unsigned int>(i)));
+                EXPECT_EQ(status == ob::PlannerStatus::EXACT_SOLUTION, planner->bestCost() < NEVER);
                 if (status == ob::PlannerStatus::EXACT_SOLUTION)
                 {
+                    ++exact;
+                    EXPECT_TRUE(problem_->pdef->hasExactSolution());
                     EXPECT_TRUE(problem_->pdef->getSolutionPath()->check());
                 }
                 if (i % 2 == 0)
@@ -45,18 +52,27 @@ namespace ompl_mfa
                     problem_->pdef->clearSolutionPaths();
                 if (i % 5 == 0)
                     planner->clear();
+                if (i % 2 == 0 || i % 5 == 0)
+                {
+                    EXPECT_EQ(planner->bestCost(), NEVER) << "cleared";
+                }
             }
+            EXPECT_GE(exact, 15U);
         }
 
         TEST_P(Endurance, LessAndLessTime)
         {
             const auto planner = problem_->planner(GetParam());
-            double best = std::numeric_limits<double>::infinity();
+            ASSERT_EQ(planner->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
+            double best = planner->bestCost();
             for (double seconds = 0.1; seconds > 1e-7; seconds /= 2.0)
             {
-                planner->solve(seconds);
+                // however little time there is, what is known is reported
+                problem_->pdef->clearSolutionPaths();
+                ASSERT_EQ(planner->solve(seconds), ob::PlannerStatus::EXACT_SOLUTION) << seconds << " s";
                 EXPECT_LE(planner->bestCost(), best);
                 best = planner->bestCost();
+                EXPECT_EQ(problem_->reportedCost(), best);
             }
             for (double seconds = 0.1; seconds > 1e-7; seconds /= 2.0)
             {

@@ -90,6 +90,8 @@ namespace ompl_mfa
             unsigned int exact{0};
             unsigned int approximate{0};
             unsigned int timeouts{0};
+            unsigned int limited{0};   ///< solves that the condition ended
+            unsigned int compared{0};  ///< costs that were computed again
             double longestOverrun{0.0};
         };
 
@@ -200,6 +202,7 @@ namespace ompl_mfa
                 {
                     const double overrun = processorTime() - std::max(lastFalse, limit);
                     EXPECT_LT(overrun, SLOWDOWN * LONGEST_OVERRUN) << "problem " << number_;
+                    ++tally.limited;
                     tally.longestOverrun = std::max(tally.longestOverrun, overrun);
                 }
                 return status;
@@ -232,6 +235,7 @@ namespace ompl_mfa
                     if (const auto &objective = pdef_->getOptimizationObjective())
                     {
                         const double cost = path.cost(objective).value();
+                        ++tally.compared;
                         EXPECT_NEAR(planner.bestCost(), cost, 1e-6 * std::abs(cost)) << "problem " << number_;
                     }
                 }
@@ -281,6 +285,8 @@ namespace ompl_mfa
                       << tally.approximate << " approximate, " << tally.timeouts << " without a path; longest overrun "
                       << 1e3 * tally.longestOverrun << " ms\n";
             EXPECT_GT(tally.exact, solved / 2);
+            EXPECT_GT(tally.limited, solved / 4);
+            EXPECT_GT(tally.compared, solved / 4);
         }
 
         /* What grows with the search (a roadmap of a million motions here) must not take long to grow either. */

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <string>
 #include <thread>
 #include <tuple>
 
@@ -74,8 +75,7 @@ namespace ompl_mfa
                         return asked >= calls;
                     });
                 planner->solve(ptc);
-                if (asked < calls)
-                    continue;
+                ASSERT_GE(asked, calls);
                 EXPECT_LE(problem_->counted.states - statesThen, longestMotion()) << "after " << calls << " calls";
             }
         }
@@ -94,6 +94,7 @@ namespace ompl_mfa
                     return ++asked > 20000;
                 });
             planner->solve(ptc);
+            EXPECT_GT(asked, 20000U);
             // a motion check, and the count of the invalid states on the motion if that failed
             EXPECT_LE(most, 3 * longestMotion());
         }
@@ -112,8 +113,10 @@ namespace ompl_mfa
                         statesThen = problem_->counted.states;
                     return asked >= 500;
                 });
+            // the target is inside the wall
             const ob::PlannerStatus status = planner->solve(ptc);
             EXPECT_NE(status, ob::PlannerStatus::EXACT_SOLUTION);
+            ASSERT_GE(asked, 500U);
             EXPECT_LE(problem_->counted.states - statesThen, longestMotion());
         }
 
@@ -212,6 +215,7 @@ namespace ompl_mfa
                     return stop.load();
                 });
             planner->solve(ptc);
+            EXPECT_TRUE(stop);
             other.join();
             EXPECT_LE(problem_->counted.states - statesThen, 4 * longestMotion());
         }
@@ -220,15 +224,50 @@ namespace ompl_mfa
         {
             problem_ = test::closedProblem();
             const auto planner = problem_->planner(GetParam());
-            const ob::PlannerTerminationCondition ptc = ob::plannerNonTerminatingCondition();
+            // a planner that does not obey ends as well, a minute too late
+            const ob::PlannerTerminationCondition late = ob::timedPlannerTerminationCondition(60.0);
+            const ob::PlannerTerminationCondition ptc([&late] { return late(); });
+            std::atomic<std::uint64_t> statesThen{0};
             std::thread other(
-                [&ptc]
+                [&]
                 {
                     std::this_thread::sleep_for(std::chrono::milliseconds(30));
                     ptc.terminate();
+                    statesThen = problem_->counted.states.load();
                 });
-            EXPECT_FALSE(planner->solve(ptc) == ob::PlannerStatus::EXACT_SOLUTION);
+            planner->solve(ptc);
             other.join();
+            EXPECT_FALSE(late());
+            const std::uint64_t states = problem_->counted.states;
+            EXPECT_GT(states, 0U);
+            EXPECT_LE(states - std::min<std::uint64_t>(statesThen, states), 4 * longestMotion());
+        }
+
+        /* A swarm of the largest kind: the moves of its fireflies take longer than a motion check. */
+        TEST_P(Termination, TheConditionIsEvaluatedWhileALargeSwarmMoves)
+        {
+            constexpr std::uint64_t SIZE = 1500;
+            const auto objective = std::make_shared<CountedIntegral>(problem_->si);
+            problem_->pdef->setOptimizationObjective(objective);
+            const auto planner = problem_->planner(test::Engine::Paper);
+            test::set(*planner, "population_size", std::to_string(SIZE));
+            test::set(*planner, "variant", GetParam() == test::Engine::Paper ? "mfa" : "fa");
+            std::uint64_t computed = 0;
+            std::uint64_t asked = 0;
+            std::uint64_t most = 0;
+            const ob::PlannerTerminationCondition ptc(
+                [&]
+                {
+                    asked = objective->computed == computed ? asked + 1 : 1;
+                    computed = objective->computed;
+                    most = std::max(most, asked);
+                    return planner->iterations() > 0;
+                });
+            planner->solve(ptc);
+            EXPECT_GT(planner->iterations(), 0U);
+            // between the costs of two paths: each firefly moves toward every brighter one in five coordinates
+            EXPECT_GE(most, SIZE * (SIZE - 1) / 2 * 5 / 8192);
+            EXPECT_GE(planner->evaluations(), 2 * SIZE - 1);
         }
 
         TEST_P(Termination, IterationsCanBeLimited)
