@@ -23,7 +23,7 @@ namespace ompl_mfa
         {
         protected:
             static constexpr unsigned int THREADS = 4;
-            static constexpr int REPEATS = 3000;
+            static constexpr int REPEATS = 10000;
 
             SliceFrameThreads()
               : frame_(makeFrame())

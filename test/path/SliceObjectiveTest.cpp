@@ -215,8 +215,14 @@ namespace ompl_mfa
         {
             EXPECT_TRUE(objective_.isBrighter({0.0, 1.0}, {0.0, 2.0}));
             PathEvaluator clearance(problem_.si, std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si));
-            const SliceObjective wide(frame_, nullptr, clearance, {});
+            SliceObjective wide(frame_, nullptr, clearance, {});
             EXPECT_TRUE(wide.isBrighter({0.0, 2.0}, {0.0, 1.0}));
+            // where more is better, the lowest number is what all but the worst are better than
+            wide.setBound(std::numeric_limits<double>::lowest());
+            const double worst = -std::numeric_limits<double>::infinity();
+            EXPECT_TRUE(wide.isBrighter({3.0, 1.0}, {0.0, worst}));
+            EXPECT_FALSE(wide.isBrighter({0.0, worst}, {3.0, 1.0}));
+            EXPECT_FALSE(wide.isBrighter({0.0, worst}, {0.0, worst}));
         }
     }  // namespace
 }  // namespace ompl_mfa
