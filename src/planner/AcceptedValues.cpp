@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -51,8 +52,15 @@ namespace ompl_mfa
     std::string AcceptedValues<T>::write(T value)
     {
         std::array<char, 32> text{};
-        const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
-        return {text.data(), result.ptr};
+        char *const end = text.data() + text.size();
+        if constexpr (std::is_floating_point_v<T>)
+        {
+            // people write 100000, where the shortest text is 1e+05
+            const double size = std::abs(value);
+            if (value == 0.0 || (size >= 1e-4 && size < 1e15))
+                return {text.data(), std::to_chars(text.data(), end, value, std::chars_format::fixed).ptr};
+        }
+        return {text.data(), std::to_chars(text.data(), end, value).ptr};
     }
 
     template <typename T>

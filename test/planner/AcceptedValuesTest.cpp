@@ -58,6 +58,18 @@ namespace ompl_mfa
             }
         }
 
+        TEST(AcceptedValues, NumbersAreWrittenAsPeopleWriteThem)
+        {
+            using Reals = AcceptedValues<double>;
+            EXPECT_EQ(Reals::write(100000.0), "100000");
+            EXPECT_EQ(Reals::write(0.001), "0.001");
+            EXPECT_EQ(Reals::write(-0.1), "-0.1");
+            EXPECT_EQ(Reals::write(0.0), "0");
+            EXPECT_EQ(Reals::write(1e300), "1e+300");
+            EXPECT_EQ(Reals::write(5e-324), "5e-324");
+            EXPECT_EQ(Reals(0.001, 0.001, 1e5).suggestion(), "0.001:0.001:100000.0");
+        }
+
         template <typename T>
         T readBack(T value)
         {

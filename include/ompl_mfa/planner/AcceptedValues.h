@@ -34,7 +34,7 @@ namespace ompl_mfa
             leaves \e value as it is if \e text is anything else. Does not ask whether the number is accepted. */
         static bool read(const std::string &text, T &value);
 
-        /** \brief The shortest text that read() turns into \e value again. */
+        /** \brief A short text that read() turns into \e value again, without an exponent where people use none. */
         static std::string write(T value);
 
         /** \brief As OMPL suggests ranges: "lowest:step:highest". */
