@@ -111,7 +111,9 @@ namespace ompl_mfa
             for (const auto &mfa : {alone, guided})
             {
                 test::set(*mfa, "population_size", "0");
-                mfa->solve(test::afterCalls(60000));
+                // between two windows no swarm flies
+                for (unsigned int i = 0; i < 50 && (i < 2 || mfa->getSwarmPaths().empty()); ++i)
+                    mfa->solve(test::afterCalls(60000));
                 problem_->pdef->clearSolutionPaths();
             }
             EXPECT_EQ(alone->getSwarmPaths().size(), 100U);
