@@ -10,17 +10,18 @@ namespace ompl_mfa
 {
     namespace
     {
-        constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
-        /* Edges found invalid in one forward search, at the least, before the cost-to-go is computed anew, which has to
-           be worth its price, too. */
+        constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
+        /* Edges found invalid in one forward search, at the least, before the cost-to-go is computed again, which has
+           to be worth its price, too. */
         constexpr unsigned int STALE_AFTER = 24;
         /* Edges that a search handles for the price of one state check. */
         constexpr std::uint64_t EDGES_PER_WORK = 2;
-        /* Vertices handled between two looks at the stop condition. */
+        /* Vertices handled between two evaluations of the stop condition. */
         constexpr std::size_t VERTICES_BETWEEN_STOPS = 64;
         /* A motion is screened at states at least so many steps apart. */
         constexpr unsigned int SCREENING_STRIDE = 3;
-        /* Times that a cost-to-go may be handed on anew in a graph where cycles may earn something. */
+        /* Times that a cost-to-go is handed on best first where motions have negative costs, before the pass goes on
+           in sweeps over all edges. */
         constexpr unsigned int MAX_EXPANSIONS = 20;
     }  // namespace
 
@@ -39,25 +40,29 @@ namespace ompl_mfa
         starts_.clear();
         goals_.clear();
         acyclic_ = true;
+        begun_ = false;
     }
 
     std::size_t LazyGraph::addVertex(const ob::State *state, bool valid)
     {
         states_.append(state);
         vertices_.push_back(
-            {{}, {}, 0.0, 0.0, NONE, 0, false, false, false, valid ? Validity::Valid : Validity::Unknown});
+            {{}, {}, 0.0, 0.0, NONE, NONE, NONE, 0, false, false, valid ? Validity::Valid : Validity::Unknown});
+        begun_ = false;
         return vertices_.size() - 1;
     }
 
     void LazyGraph::setStart(std::size_t vertex)
     {
-        starts_.push_back(vertex);
+        starts_.push_back({static_cast<Index>(vertex), evaluator_.objective()->initialCost(states_[vertex]).value()});
+        begun_ = false;
     }
 
     void LazyGraph::setGoal(std::size_t vertex)
     {
-        vertices_[vertex].goal = true;
-        goals_.push_back(vertex);
+        vertices_[vertex].goal = static_cast<Index>(goals_.size());
+        goals_.push_back({static_cast<Index>(vertex), evaluator_.objective()->terminalCost(states_[vertex]).value()});
+        begun_ = false;
     }
 
     bool LazyGraph::addEdge(std::size_t from, std::size_t to, bool bothWays)
@@ -70,17 +75,76 @@ namespace ompl_mfa
         if (bothWays && !evaluator_.bounds().certain() && !evaluator_.motionCost(states_[to], states_[from], reverse))
             return false;
         acyclic_ = acyclic_ && from < to && !bothWays;
+        begun_ = false;
         const auto add = [&](std::size_t a, std::size_t b, ob::Cost ab)
         {
-            vertices_[a].out.push_back(edges_.size());
-            vertices_[b].in.push_back(edges_.size());
-            edges_.push_back({a, b, checks_.size(), ab.value()});
+            const auto edge = static_cast<Index>(edges_.size());
+            vertices_[a].out.push_back(edge);
+            vertices_[b].in.push_back(edge);
+            edges_.push_back(
+                {static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(checks_.size()), ab.value()});
         };
         add(from, to, cost);
         if (bothWays)
             add(to, from, reverse);
         checks_.push_back(Validity::Unknown);
         return true;
+    }
+
+    void LazyGraph::retain(const std::vector<bool> &kept)
+    {
+        const std::vector<Index> numbers = retainVertices(kept);
+        std::vector<Validity> checks;
+        std::deque<Edge> edges;
+        // both directions of a motion follow each other
+        Index check = NONE;
+        for (const Edge &edge : edges_)
+        {
+            const Index from = numbers[edge.from];
+            const Index to = numbers[edge.to];
+            if (from == NONE || to == NONE || checks_[edge.check] == Validity::Invalid)
+                continue;
+            if (edge.check != check)
+                checks.push_back(checks_[edge.check]);
+            check = edge.check;
+            vertices_[from].out.push_back(static_cast<Index>(edges.size()));
+            vertices_[to].in.push_back(static_cast<Index>(edges.size()));
+            edges.push_back({from, to, static_cast<Index>(checks.size() - 1), edge.cost});
+        }
+        edges_.swap(edges);
+        checks_.swap(checks);
+        for (std::vector<End> *ends : {&starts_, &goals_})
+        {
+            for (End &end : *ends)
+                end.vertex = numbers[end.vertex];
+        }
+        begun_ = false;
+    }
+
+    /* Removes vertices and all edges at the others; returns the new numbers. */
+    std::vector<LazyGraph::Index> LazyGraph::retainVertices(const std::vector<bool> &kept)
+    {
+        std::vector<Index> numbers(vertices_.size(), NONE);
+        for (const End &start : starts_)
+            numbers[start.vertex] = 0;
+        std::size_t size = 0;
+        for (std::size_t v = 0; v < vertices_.size(); ++v)
+        {
+            if (!kept[v] && numbers[v] == NONE && vertices_[v].goal == NONE)
+                continue;
+            numbers[v] = static_cast<Index>(size);
+            vertices_[v].out.clear();
+            vertices_[v].in.clear();
+            if (v != size)
+            {
+                std::swap(vertices_[size], vertices_[v]);
+                states_.space()->copyState(states_[size], states_[v]);
+            }
+            ++size;
+        }
+        vertices_.erase(vertices_.begin() + static_cast<std::ptrdiff_t>(size), vertices_.end());
+        states_.resize(size);
+        return numbers;
     }
 
     bool LazyGraph::better(double a, double b) const
@@ -98,41 +162,72 @@ namespace ompl_mfa
         return std::isinf(bound) || better(cost, bound);
     }
 
-    void LazyGraph::push(std::vector<QueueEntry> &queue, QueueEntry entry) const
+    /* Whether some paths beat \e bound that do not beat \e than. */
+    bool LazyGraph::isWorse(double bound, double than) const
     {
-        queue.push_back(entry);
-        std::push_heap(queue.begin(), queue.end(),
+        return !std::isinf(than) && (std::isinf(bound) || better(than, bound));
+    }
+
+    void LazyGraph::push(const QueueEntry &entry)
+    {
+        queue_.push_back(entry);
+        std::push_heap(queue_.begin(), queue_.end(),
                        [this](const QueueEntry &a, const QueueEntry &b) { return better(b.key, a.key); });
     }
 
-    LazyGraph::QueueEntry LazyGraph::pop(std::vector<QueueEntry> &queue) const
+    LazyGraph::QueueEntry LazyGraph::pop()
     {
-        std::pop_heap(queue.begin(), queue.end(),
+        std::pop_heap(queue_.begin(), queue_.end(),
                       [this](const QueueEntry &a, const QueueEntry &b) { return better(b.key, a.key); });
-        const QueueEntry entry = queue.back();
-        queue.pop_back();
+        const QueueEntry entry = queue_.back();
+        queue_.pop_back();
         return entry;
     }
 
-    /* Cost-to-go of every vertex from which a goal can be reached by motions not known to be invalid. False if
-       interrupted. */
-    bool LazyGraph::backward(double bound)
+    /* Cost-to-go of every vertex from which a goal can be reached by motions not known to be invalid, and the steps
+       from the source. False if interrupted. */
+    bool LazyGraph::begin(double bound)
     {
+        const std::uint64_t before = evaluator_.work();
+        begun_ = false;
+        if (!seedGoals())
+            return false;
+        const bool inOrder = acyclic_ && !evaluator_.bounds().monotone();
+        if (!(inOrder ? backwardInOrder() : backwardBestFirst(bound)))
+            return false;
+        backwardWork_ = evaluator_.work() - before;
+        forwardWork_ = 0;
+        invalid_ = 0;
+        queue_.clear();
+        for (std::size_t i = 0; i < starts_.size(); ++i)
+        {
+            const Vertex &vertex = vertices_[starts_[i].vertex];
+            if (!vertex.reaches || vertex.validity == Validity::Invalid)
+                continue;
+            const double key = combine(starts_[i].cost, vertex.costToGo);
+            if (!exact_ || canBeat(key, bound))
+                push({key, static_cast<Index>(i), Step::Begin});
+        }
+        begun_ = true;
+        return true;
+    }
+
+    bool LazyGraph::seedGoals()
+    {
+        exact_ = true;
         for (std::size_t v = 0; v < vertices_.size(); ++v)
         {
             if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
                 return false;
-            vertices_[v].reaches = false;
-            vertices_[v].expansions = 0;
+            Vertex &vertex = vertices_[v];
+            vertex.reached = false;
+            vertex.expansions = 0;
+            vertex.next = NONE;
+            vertex.reaches = vertex.goal != NONE && vertex.validity != Validity::Invalid;
+            if (vertex.reaches)
+                vertex.costToGo = goals_[vertex.goal].cost;
         }
-        for (const std::size_t goal : goals_)
-        {
-            vertices_[goal].costToGo = evaluator_.objective()->terminalCost(states_[goal]).value();
-            vertices_[goal].reaches = true;
-        }
-        // a bad end of a path cannot be made up for where no motion earns anything
-        const bool monotone = evaluator_.bounds().monotone();
-        return acyclic_ && !monotone ? backwardInOrder() : backwardBestFirst(monotone, bound);
+        return true;
     }
 
     bool LazyGraph::backwardInOrder()
@@ -143,46 +238,112 @@ namespace ompl_mfa
                 return false;
             if (!vertices_[v].reaches)
                 continue;
-            for (const std::size_t e : vertices_[v].in)
-                relax(edges_[e]);
+            for (const Index e : vertices_[v].in)
+                relax(e);
         }
         evaluator_.addWork(1 + edges_.size() / EDGES_PER_WORK);
         return true;
     }
 
-    bool LazyGraph::backwardBestFirst(bool monotone, double bound)
+    double LazyGraph::bestInitialCost() const
     {
-        // where motions earn something, a cycle might make its vertices better for ever
+        double best = evaluator_.objective()->infiniteCost().value();
+        for (const End &start : starts_)
+        {
+            if (better(start.cost, best))
+                best = start.cost;
+        }
+        return best;
+    }
+
+    bool LazyGraph::backwardBestFirst(double bound)
+    {
+        // if no motion has a negative cost, vertices from where no start can beat the bound any more are pruned
+        const bool monotone = evaluator_.bounds().monotone();
         const unsigned int expansions = monotone ? 1 : MAX_EXPANSIONS;
+        const double initial = bestInitialCost();
         queue_.clear();
-        for (const std::size_t goal : goals_)
-            push(queue_, {vertices_[goal].costToGo, goal});
+        for (const End &goal : goals_)
+        {
+            if (vertices_[goal.vertex].reaches)
+                push({vertices_[goal.vertex].costToGo, goal.vertex, Step::Finish});
+        }
         std::uint64_t handled = 0;
         std::uint64_t popped = 0;
+        bool settled = true;
         while (!queue_.empty())
         {
             if (++popped % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
                 return false;
-            const QueueEntry entry = pop(queue_);
+            const QueueEntry entry = pop();
             Vertex &vertex = vertices_[entry.index];
-            if (better(vertex.costToGo, entry.key) || vertex.expansions >= expansions)
+            if (better(vertex.costToGo, entry.key))
                 continue;
+            if (vertex.expansions >= expansions)
+            {
+                settled = settled && monotone;
+                continue;
+            }
             ++vertex.expansions;
-            for (const std::size_t e : vertex.in)
+            for (const Index e : vertex.in)
             {
                 ++handled;
                 const Edge &edge = edges_[e];
-                if ((!monotone || canBeat(combine(edge.cost, vertex.costToGo), bound)) && relax(edge))
-                    push(queue_, {vertices_[edge.from].costToGo, edge.from});
+                if ((!monotone || canBeat(combine(initial, combine(edge.cost, vertex.costToGo)), bound)) && relax(e))
+                    push({vertices_[edge.from].costToGo, edge.from, Step::Move});
             }
         }
         evaluator_.addWork(1 + handled / EDGES_PER_WORK);
+        return settled || backwardInSweeps();
+    }
+
+    /* Bellman-Ford, from the costs-to-go that there are. */
+    bool LazyGraph::backwardInSweeps()
+    {
+        for (bool changed = true; changed;)
+        {
+            changed = false;
+            for (std::size_t v = 0; v < vertices_.size(); ++v)
+            {
+                if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                    return false;
+                if (!vertices_[v].reaches)
+                    continue;
+                for (const Index e : vertices_[v].in)
+                    changed = relax(e) || changed;
+            }
+            evaluator_.addWork(1 + edges_.size() / EDGES_PER_WORK);
+            if (changed && improvesInCycles())
+            {
+                exact_ = false;
+                return true;
+            }
+        }
         return true;
     }
 
-    /* Takes an edge for the way to the goal if it is better than what is known. */
-    bool LazyGraph::relax(const Edge &edge)
+    /* Whether the edges toward the goal close a cycle: they do if, and soon after, one has a negative cost. */
+    bool LazyGraph::improvesInCycles()
     {
+        walks_.assign(vertices_.size(), NONE);
+        for (Index first = 0; first < vertices_.size(); ++first)
+        {
+            Index v = first;
+            while (walks_[v] == NONE && vertices_[v].reaches && vertices_[v].next != NONE)
+            {
+                walks_[v] = first;
+                v = edges_[vertices_[v].next].to;
+            }
+            if (walks_[v] == first)
+                return true;
+        }
+        return false;
+    }
+
+    /* Takes an edge for the path to the goal if it is better than what is known. */
+    bool LazyGraph::relax(Index index)
+    {
+        const Edge &edge = edges_[index];
         Vertex &vertex = vertices_[edge.from];
         if (checks_[edge.check] == Validity::Invalid || vertex.validity == Validity::Invalid)
             return false;
@@ -191,23 +352,28 @@ namespace ompl_mfa
             return false;
         vertex.reaches = true;
         vertex.costToGo = cost;
+        vertex.next = index;
         return true;
+    }
+
+    bool LazyGraph::checkVertex(Index index)
+    {
+        Vertex &vertex = vertices_[index];
+        if (vertex.validity == Validity::Unknown)
+            vertex.validity = evaluator_.checkState(states_[index]) ? Validity::Valid : Validity::Invalid;
+        return vertex.validity == Validity::Valid;
     }
 
     /* Checks the state at the end of a motion first: an invalid one rules out all motions to it at once. */
     bool LazyGraph::screenEdge(const Edge &edge)
     {
-        Vertex &to = vertices_[edge.to];
-        if (to.validity == Validity::Unknown)
-            to.validity = evaluator_.checkState(states_[edge.to]) ? Validity::Valid : Validity::Invalid;
-        return to.validity == Validity::Valid &&
-               evaluator_.screenMotion(states_[edge.from], states_[edge.to], SCREENING_STRIDE);
+        return checkVertex(edge.to) && evaluator_.screenMotion(states_[edge.from], states_[edge.to], SCREENING_STRIDE);
     }
 
     /* Checks the motions of the path to this goal; most of those that a search screens are of no path. */
-    LazyGraph::Outcome LazyGraph::confirm(std::size_t goal, std::uint64_t limit)
+    LazyGraph::Outcome LazyGraph::confirm(Index goal, std::uint64_t limit)
     {
-        for (std::size_t v = goal; vertices_[v].parent != NONE; v = edges_[vertices_[v].parent].from)
+        for (Index v = goal; vertices_[v].parent != NONE; v = edges_[vertices_[v].parent].from)
         {
             const Edge &edge = edges_[vertices_[v].parent];
             Validity &validity = checks_[edge.check];
@@ -225,86 +391,108 @@ namespace ompl_mfa
         return Outcome::Found;
     }
 
-    void LazyGraph::expand(std::size_t v, double bound)
+    void LazyGraph::reach(Index index, Index parent, double costToCome, double bound)
     {
-        for (const std::size_t e : vertices_[v].out)
+        Vertex &vertex = vertices_[index];
+        vertex.reached = true;
+        vertex.parent = parent;
+        vertex.costToCome = costToCome;
+        if (vertex.goal != NONE)
+        {
+            const double key = combine(costToCome, goals_[vertex.goal].cost);
+            if (canBeat(key, bound))
+                push({key, vertex.goal, Step::Finish});
+        }
+        for (const Index e : vertex.out)
         {
             const Edge &edge = edges_[e];
             const Vertex &to = vertices_[edge.to];
             if (to.reached || !to.reaches || to.validity == Validity::Invalid ||
                 checks_[edge.check] == Validity::Invalid)
                 continue;
-            const double key = combine(combine(vertices_[v].costToCome, edge.cost), to.costToGo);
-            if (canBeat(key, bound))
-                push(queue_, {key, e});
+            const double key = combine(combine(costToCome, edge.cost), to.costToGo);
+            if (!exact_ || canBeat(key, bound))
+                push({key, e, Step::Move});
         }
     }
 
-    /* Takes up to \e limit of PathEvaluator::work(); from \e renewal on a new backward pass is worth its price. */
-    LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit, std::uint64_t renewal, std::size_t &goal)
+    LazyGraph::Outcome LazyGraph::beginAt(const End &start, double bound)
     {
-        for (std::size_t v = 0; v < vertices_.size(); ++v)
-        {
-            if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
-                return Outcome::Stopped;
-            vertices_[v].reached = false;
-        }
-        queue_.clear();
-        for (const std::size_t start : starts_)
-        {
-            Vertex &vertex = vertices_[start];
-            vertex.reached = true;
-            vertex.parent = NONE;
-            vertex.costToCome = evaluator_.objective()->initialCost(states_[start]).value();
-            expand(start, bound);
-        }
-        unsigned int invalid = 0;
-        std::uint64_t handled = 0;
-        while (!queue_.empty())
-        {
-            const std::size_t e = pop(queue_).index;
-            const Edge &edge = edges_[e];
-            if (++handled % EDGES_PER_WORK == 0)
-                evaluator_.addWork(1);
-            if (handled % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
-                return Outcome::Stopped;
-            if (vertices_[edge.to].reached || vertices_[edge.to].validity == Validity::Invalid)
-                continue;
-            Validity &validity = checks_[edge.check];
-            if (validity == Validity::Unknown)
-            {
-                if (evaluator_.work() >= limit)
-                    return Outcome::Stopped;
-                const bool valid = screenEdge(edge);
-                if (evaluator_.interrupted())
-                    return Outcome::Stopped;
-                validity = valid ? Validity::Screened : Validity::Invalid;
-                invalid += valid ? 0 : 1;
-            }
-            if (validity == Validity::Invalid)
-            {
-                if (invalid >= STALE_AFTER && evaluator_.work() >= renewal)
-                    return Outcome::Stale;
-                continue;
-            }
-            Vertex &vertex = vertices_[edge.to];
-            vertex.reached = true;
-            vertex.parent = e;
-            vertex.costToCome = combine(vertices_[edge.from].costToCome, edge.cost);
-            if (vertex.goal)
-            {
-                goal = edge.to;
-                return confirm(goal, limit);
-            }
-            expand(edge.to, bound);
-        }
-        return Outcome::Exhausted;
+        if (vertices_[start.vertex].reached)
+            return Outcome::Passed;
+        if (checkVertex(start.vertex))
+            reach(start.vertex, NONE, start.cost, bound);
+        return Outcome::Passed;
     }
 
-    void LazyGraph::extract(std::size_t goal, Waypoints &path) const
+    LazyGraph::Outcome LazyGraph::move(Index index, double bound)
+    {
+        const Edge &edge = edges_[index];
+        if (vertices_[edge.to].reached || vertices_[edge.to].validity == Validity::Invalid)
+            return Outcome::Passed;
+        Validity &validity = checks_[edge.check];
+        if (validity == Validity::Unknown)
+        {
+            const bool valid = screenEdge(edge);
+            if (evaluator_.interrupted())
+                return Outcome::Stopped;
+            validity = valid ? Validity::Screened : Validity::Invalid;
+            invalid_ += valid ? 0 : 1;
+        }
+        if (validity == Validity::Invalid)
+            return Outcome::Blocked;
+        reach(edge.to, index, combine(vertices_[edge.from].costToCome, edge.cost), bound);
+        return Outcome::Passed;
+    }
+
+    LazyGraph::Outcome LazyGraph::take(const QueueEntry &entry, double bound, std::uint64_t limit)
+    {
+        switch (entry.step)
+        {
+            case Step::Begin:
+                return beginAt(starts_[entry.index], bound);
+            case Step::Move:
+                return move(entry.index, bound);
+            default:
+                return canBeat(entry.key, bound) ? confirm(goals_[entry.index].vertex, limit) : Outcome::Passed;
+        }
+    }
+
+    /* Takes up to \e limit of PathEvaluator::work(). */
+    LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit)
+    {
+        const std::uint64_t before = evaluator_.work() - forwardWork_;
+        Outcome outcome = Outcome::Passed;
+        for (std::uint64_t handled = 1; outcome == Outcome::Passed; ++handled)
+        {
+            // once the most promising step cannot beat the bound, none can
+            if (queue_.empty() || (exact_ && !canBeat(queue_.front().key, bound)))
+                return Outcome::Exhausted;
+            if (handled % EDGES_PER_WORK == 0)
+                evaluator_.addWork(1);
+            if (evaluator_.work() >= limit || (handled % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped()))
+                return Outcome::Stopped;
+            const QueueEntry entry = pop();
+            outcome = take(entry, bound, limit);
+            forwardWork_ = evaluator_.work() - before;
+            if (outcome == Outcome::Blocked)
+                outcome = invalid_ >= STALE_AFTER && forwardWork_ >= backwardWork_ ? Outcome::Stale : Outcome::Passed;
+            // what was cut short is taken up by the next search, what was found may be asked for again
+            if (outcome == Outcome::Stopped || outcome == Outcome::Found)
+                push(entry);
+            if (outcome == Outcome::Found)
+            {
+                found_ = goals_[entry.index].vertex;
+                cost_ = entry.key;
+            }
+        }
+        return outcome;
+    }
+
+    void LazyGraph::extract(Waypoints &path) const
     {
         path.clear();
-        std::size_t vertex = goal;
+        Index vertex = found_;
         path.append(states_[vertex]);
         while (vertices_[vertex].parent != NONE)
         {
@@ -320,24 +508,23 @@ namespace ompl_mfa
         exhausted_ = false;
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
-            const std::uint64_t before = evaluator_.work();
-            if (!backward(bound))
+            if ((!begun_ || isWorse(bound, bound_)) && !begin(bound))
                 return false;
-            const std::uint64_t now = evaluator_.work();
-            std::size_t goal = NONE;
+            bound_ = bound;
             // in a large graph the backward pass alone may use up the work: the motions still get a share of their own
-            switch (forward(bound, std::max(limit, now + work / 2), now + (now - before), goal))
+            switch (forward(bound, std::max(limit, evaluator_.work() + work / 2)))
             {
                 case Outcome::Found:
-                    extract(goal, path);
+                    extract(path);
                     return true;
                 case Outcome::Exhausted:
                     exhausted_ = true;
                     return false;
-                case Outcome::Stopped:
-                    return false;
                 case Outcome::Stale:
+                    begun_ = false;
                     break;
+                default:
+                    return false;
             }
         }
         return false;

@@ -28,15 +28,18 @@ namespace ompl_mfa
             return state->as<ob::RealVectorStateSpace::StateType>()->values[0];
         }
 
-        /* The cost of a motion is any function of its ends. */
+        /* The cost of a motion is any function of its ends; so are those of the first and the last state. */
         class AnyCost : public ob::OptimizationObjective
         {
         public:
             using Function = std::function<double(double from, double to)>;
+            using EndFunction = std::function<double(double value)>;
 
-            AnyCost(const ob::SpaceInformationPtr &si, Function cost)
+            AnyCost(const ob::SpaceInformationPtr &si, Function cost, EndFunction initial, EndFunction terminal)
               : OptimizationObjective(si)
               , cost_(std::move(cost))
+              , initial_(std::move(initial))
+              , terminal_(std::move(terminal))
             {
             }
 
@@ -50,16 +53,30 @@ namespace ompl_mfa
                 return ob::Cost(cost_(value(from), value(to)));
             }
 
+            ob::Cost initialCost(const ob::State *state) const override
+            {
+                return initial_ ? ob::Cost(initial_(value(state))) : identityCost();
+            }
+
+            ob::Cost terminalCost(const ob::State *state) const override
+            {
+                return terminal_ ? ob::Cost(terminal_(value(state))) : identityCost();
+            }
+
         private:
             Function cost_;
+            EndFunction initial_;
+            EndFunction terminal_;
         };
 
         class LazyGraphTest : public ::testing::Test
         {
         protected:
-            void make(const AnyCost::Function &cost)
+            void make(const AnyCost::Function &cost, const AnyCost::EndFunction &initial = {},
+                      const AnyCost::EndFunction &terminal = {})
             {
-                evaluator_ = std::make_unique<PathEvaluator>(problem_.si, std::make_shared<AnyCost>(problem_.si, cost));
+                evaluator_ = std::make_unique<PathEvaluator>(
+                    problem_.si, std::make_shared<AnyCost>(problem_.si, cost, initial, terminal));
                 graph_ = std::make_unique<LazyGraph>(*evaluator_);
             }
 
@@ -149,6 +166,80 @@ namespace ompl_mfa
             EXPECT_EQ(value(path_.front()), 0.0);
             EXPECT_EQ(value(path_.back()), 9.0);
             graph_->search(-1e6, PLENTY, path_);
+        }
+
+        /* Stages between goal and start, each with a direct motion of no cost and a detour that costs much at first and
+           less than nothing in all: taken best first, the last stage gets better 2^8 times. */
+        TEST_F(LazyGraphTest, CostsToGoAreThoseOfPathsHoweverOftenNegativeMotionsImproveThem)
+        {
+            constexpr int STAGES = 8;
+            // the value of a stage's vertex is twice its number, that of its detour one less
+            const auto detour = [](double value) { return std::exp2(STAGES - value / 2.0); };
+            make(
+                [&detour](double from, double to)
+                {
+                    if (static_cast<int>(to) % 2 != 0)
+                        return -1.5 * detour(from);
+                    return static_cast<int>(from) % 2 != 0 ? detour(from + 1.0) : 0.0;
+                });
+            std::vector<std::size_t> vertices;
+            for (int v = 0; v <= 2 * STAGES; ++v)
+                vertices.push_back(add(v));
+            double best = 0.0;
+            for (std::size_t v = 2; v < vertices.size(); v += 2)
+            {
+                graph_->addEdge(v, v - 2, false);
+                graph_->addEdge(v, v - 1, false);
+                graph_->addEdge(v - 1, v - 2, false);
+                best -= 0.5 * detour(static_cast<double>(v));
+            }
+            graph_->setStart(vertices.back());
+            graph_->setGoal(vertices.front());
+            ASSERT_TRUE(graph_->search(best + 0.25, PLENTY, path_));
+            EXPECT_EQ(evaluator_->cost(path_).value(), best);
+            EXPECT_FALSE(graph_->search(best, PLENTY, path_));
+            EXPECT_TRUE(graph_->exhausted());
+        }
+
+        /* The goal that is nearer costs 100 to end at. */
+        TEST_F(LazyGraphTest, GoesOnThroughAGoalToABetterOne)
+        {
+            make([](double from, double to) { return std::abs(to - from); }, {},
+                 [](double v) { return v == 2.0 ? 100.0 : 0.0; });
+            for (const double v : {0.0, 2.0, 10.0})
+                add(v);
+            graph_->setStart(0);
+            graph_->setGoal(1);
+            graph_->setGoal(2);
+            graph_->addEdge(0, 1, true);
+            graph_->addEdge(1, 2, true);
+            for (const double bound : {ANY, 50.0})
+            {
+                ASSERT_TRUE(graph_->search(bound, PLENTY, path_));
+                EXPECT_EQ(evaluator_->cost(path_).value(), 10.0);
+            }
+            EXPECT_FALSE(graph_->search(10.0, PLENTY, path_));
+            EXPECT_TRUE(graph_->exhausted());
+        }
+
+        /* The start that is nearer costs 100 to begin at. */
+        TEST_F(LazyGraphTest, GoesThroughAStartThatIsDearToBeginAt)
+        {
+            make([](double from, double to) { return std::abs(to - from); },
+                 [](double v) { return v == 8.0 ? 100.0 : 0.0; });
+            for (const double v : {0.0, 8.0, 10.0})
+                add(v);
+            graph_->setStart(0);
+            graph_->setStart(1);
+            graph_->setGoal(2);
+            graph_->addEdge(0, 1, true);
+            graph_->addEdge(1, 2, true);
+            for (const double bound : {ANY, 50.0})
+            {
+                ASSERT_TRUE(graph_->search(bound, PLENTY, path_));
+                EXPECT_EQ(evaluator_->cost(path_).value(), 10.0);
+            }
+            EXPECT_FALSE(graph_->search(10.0, PLENTY, path_));
         }
 
         TEST_F(LazyGraphTest, AddsNoEdgeOnceTheSearchIsToStop)

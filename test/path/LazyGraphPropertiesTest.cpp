@@ -1,0 +1,515 @@
+/* LazyGraph against Bellman-Ford, on random graphs. */
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/util/Console.h>
+
+#include "ompl_mfa/path/LazyGraph.h"
+#include "path/StateSpaces.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr double INFINITE = std::numeric_limits<double>::infinity();
+        constexpr std::uint64_t PLENTY = 10000000;
+
+        enum class Algebra
+        {
+            Sum,        ///< less is better
+            Gain,       ///< a sum of which more is better
+            Bottleneck  ///< the worst motion counts
+        };
+
+        struct Motions
+        {
+            std::size_t from;
+            std::size_t to;
+            bool bothWays;
+        };
+
+        /* A graph whose costs are whole numbers, so that they are added up without rounding. Vertex i is the state
+           (i, i^2): the middle of a motion tells which one it is. */
+        struct RandomGraph
+        {
+            Algebra algebra{Algebra::Sum};
+            std::size_t size{0};
+            std::vector<Motions> motions;
+            std::vector<std::vector<double>> cost;
+            std::vector<double> initial;
+            std::vector<double> terminal;
+            std::vector<std::size_t> starts;
+            std::vector<std::size_t> goals;
+            std::vector<bool> validVertex;
+            std::vector<std::vector<bool>> validMotion;
+            std::vector<std::vector<bool>> validMiddle;
+
+            bool isValid(std::size_t from, std::size_t to) const
+            {
+                return validMotion[from][to] && validMiddle[from][to];
+            }
+        };
+
+        std::ostream &operator<<(std::ostream &out, const RandomGraph &graph)
+        {
+            out << "algebra " << static_cast<int>(graph.algebra) << ", " << graph.size << " vertices;";
+            for (const auto s : graph.starts)
+                out << " start " << s << " (" << graph.initial[s] << ")";
+            for (const auto g : graph.goals)
+                out << " goal " << g << " (" << graph.terminal[g] << ")";
+            for (const auto &m : graph.motions)
+            {
+                out << "; " << m.from << (m.bothWays ? " <-> " : " -> ") << m.to << ": " << graph.cost[m.from][m.to];
+                if (m.bothWays)
+                    out << " / " << graph.cost[m.to][m.from];
+                if (!graph.isValid(m.from, m.to))
+                    out << " invalid";
+            }
+            return out;
+        }
+
+        class TableObjective : public ob::OptimizationObjective
+        {
+        public:
+            TableObjective(const ob::SpaceInformationPtr &si, const RandomGraph &graph)
+              : OptimizationObjective(si)
+              , graph_(graph)
+            {
+            }
+
+            static std::size_t number(const ob::State *state)
+            {
+                return static_cast<std::size_t>(state->as<ob::RealVectorStateSpace::StateType>()->values[0]);
+            }
+
+            bool isCostBetterThan(ob::Cost a, ob::Cost b) const override
+            {
+                return graph_.algebra == Algebra::Gain ? a.value() > b.value() : a.value() < b.value();
+            }
+
+            ob::Cost infiniteCost() const override
+            {
+                return ob::Cost(graph_.algebra == Algebra::Gain ? -INFINITE : INFINITE);
+            }
+
+            ob::Cost identityCost() const override
+            {
+                return ob::Cost(graph_.algebra == Algebra::Bottleneck ? -INFINITE : 0.0);
+            }
+
+            ob::Cost combineCosts(ob::Cost a, ob::Cost b) const override
+            {
+                return ob::Cost(graph_.algebra == Algebra::Bottleneck ? std::max(a.value(), b.value())
+                                                                      : a.value() + b.value());
+            }
+
+            ob::Cost stateCost(const ob::State *) const override
+            {
+                return identityCost();
+            }
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                return ob::Cost(graph_.cost[number(from)][number(to)]);
+            }
+
+            ob::Cost initialCost(const ob::State *state) const override
+            {
+                return ob::Cost(graph_.initial[number(state)]);
+            }
+
+            ob::Cost terminalCost(const ob::State *state) const override
+            {
+                return ob::Cost(graph_.terminal[number(state)]);
+            }
+
+        private:
+            const RandomGraph &graph_;
+        };
+
+        class TableMotionValidator : public ob::MotionValidator
+        {
+        public:
+            TableMotionValidator(const ob::SpaceInformationPtr &si, const RandomGraph &graph)
+              : MotionValidator(si)
+              , graph_(graph)
+            {
+            }
+
+            bool checkMotion(const ob::State *from, const ob::State *to) const override
+            {
+                return graph_.isValid(TableObjective::number(from), TableObjective::number(to));
+            }
+
+            bool checkMotion(const ob::State *from, const ob::State *to,
+                             std::pair<ob::State *, double> &) const override
+            {
+                return checkMotion(from, to);
+            }
+
+        private:
+            const RandomGraph &graph_;
+        };
+
+        /* The graph as a LazyGraph, and what is known of it from its tables alone. */
+        class Case
+        {
+        public:
+            explicit Case(const RandomGraph &graph)
+              : graph_(graph)
+              , space_(test::realVectorSpace(2, 0.0, 150.0))
+              , si_(std::make_shared<ob::SpaceInformation>(space_))
+            {
+                ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+                si_->setStateValidityChecker([this](const ob::State *state) { return isValid(state); });
+                si_->setMotionValidator(std::make_shared<TableMotionValidator>(si_, graph_));
+                si_->setup();
+                evaluator = std::make_unique<PathEvaluator>(si_, std::make_shared<TableObjective>(si_, graph_));
+                lazy = std::make_unique<LazyGraph>(*evaluator);
+                path = std::make_unique<Waypoints>(space_);
+                ob::ScopedState<> state(space_);
+                for (std::size_t i = 0; i < graph_.size; ++i)
+                {
+                    state[0] = static_cast<double>(i);
+                    state[1] = static_cast<double>(i * i);
+                    lazy->addVertex(state.get(), false);
+                }
+                for (const auto &m : graph_.motions)
+                    lazy->addEdge(m.from, m.to, m.bothWays);
+                for (const auto s : graph_.starts)
+                    lazy->setStart(s);
+                for (const auto g : graph_.goals)
+                    lazy->setGoal(g);
+            }
+
+            bool better(double a, double b) const
+            {
+                return evaluator->objective()->isCostBetterThan(ob::Cost(a), ob::Cost(b));
+            }
+
+            double combine(double a, double b) const
+            {
+                return evaluator->objective()->combineCosts(ob::Cost(a), ob::Cost(b)).value();
+            }
+
+            /* Bellman-Ford over what is valid. False where no goal can be reached. */
+            bool solve(double &best) const
+            {
+                std::vector<double> cost(graph_.size);
+                std::vector<bool> reached(graph_.size, false);
+                const auto improve = [this](double candidate, double &known, bool reachedBefore)
+                {
+                    if (reachedBefore && !better(candidate, known))
+                        return false;
+                    known = candidate;
+                    return true;
+                };
+                for (const auto s : graph_.starts)
+                {
+                    if (graph_.validVertex[s] && improve(graph_.initial[s], cost[s], reached[s]))
+                        reached[s] = true;
+                }
+                const auto relax = [&](std::size_t from, std::size_t to)
+                {
+                    if (reached[from] && graph_.validVertex[to] && graph_.isValid(from, to) &&
+                        improve(combine(cost[from], graph_.cost[from][to]), cost[to], reached[to]))
+                        reached[to] = true;
+                };
+                for (std::size_t round = 0; round < graph_.size; ++round)
+                {
+                    for (const auto &m : graph_.motions)
+                    {
+                        relax(m.from, m.to);
+                        if (m.bothWays)
+                            relax(m.to, m.from);
+                    }
+                }
+                bool found = false;
+                for (const auto g : graph_.goals)
+                {
+                    if (reached[g] && improve(combine(cost[g], graph_.terminal[g]), best, found))
+                        found = true;
+                }
+                return found;
+            }
+
+            /* That the path found begins at a start, ends at a goal and is valid. */
+            void expectPath() const
+            {
+                std::vector<std::size_t> vertices;
+                for (std::size_t i = 0; i < path->size(); ++i)
+                    vertices.push_back(TableObjective::number((*path)[i]));
+                RC_ASSERT(!vertices.empty());
+                RC_ASSERT(std::count(graph_.starts.begin(), graph_.starts.end(), vertices.front()) > 0);
+                RC_ASSERT(std::count(graph_.goals.begin(), graph_.goals.end(), vertices.back()) > 0);
+                RC_ASSERT(graph_.validVertex[vertices.front()]);
+                RC_ASSERT(std::set<std::size_t>(vertices.begin(), vertices.end()).size() == vertices.size());
+                for (std::size_t i = 1; i < vertices.size(); ++i)
+                    RC_ASSERT(graph_.validVertex[vertices[i]] && graph_.isValid(vertices[i - 1], vertices[i]));
+            }
+
+            /* What a search that was not cut short must have answered. */
+            void expectAnswer(bool found, double bound) const
+            {
+                double best = 0.0;
+                const bool exists = solve(best) && (std::isinf(bound) || better(best, bound));
+                RC_ASSERT(found == exists);
+                RC_ASSERT(lazy->exhausted() == !exists);
+                if (!found)
+                    return;
+                expectPath();
+                RC_ASSERT(evaluator->cost(*path).value() == best);
+            }
+
+            std::unique_ptr<PathEvaluator> evaluator;
+            std::unique_ptr<LazyGraph> lazy;
+            std::unique_ptr<Waypoints> path;
+
+        private:
+            bool isValid(const ob::State *state) const
+            {
+                const double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                for (std::size_t i = 0; i < graph_.size; ++i)
+                {
+                    const auto x = static_cast<double>(i);
+                    if (values[0] == x && values[1] == x * x)
+                        return graph_.validVertex[i];
+                    for (std::size_t j = 0; j < i; ++j)
+                    {
+                        const auto y = static_cast<double>(j);
+                        if (!graph_.validMiddle[i][j] && std::abs(values[0] - 0.5 * (x + y)) < 1e-6 &&
+                            std::abs(values[1] - 0.5 * (x * x + y * y)) < 1e-6)
+                            return false;
+                    }
+                }
+                return true;
+            }
+
+            const RandomGraph &graph_;
+            ob::StateSpacePtr space_;
+            ob::SpaceInformationPtr si_;
+        };
+
+        int draw(int low, int high)
+        {
+            // whole ranges from the first case on: RapidCheck begins with small ones
+            return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
+        }
+
+        bool chance(int percent)
+        {
+            return draw(0, 99) >= 100 - percent;
+        }
+
+        double worst(Algebra algebra)
+        {
+            return algebra == Algebra::Gain ? -INFINITE : INFINITE;
+        }
+
+        std::vector<std::size_t> drawEnds(std::size_t size)
+        {
+            std::set<std::size_t> ends;
+            for (int i = draw(1, 4); i > 0; --i)
+                ends.insert(static_cast<std::size_t>(draw(0, static_cast<int>(size) - 1)));
+            return {ends.begin(), ends.end()};
+        }
+
+        void drawEdges(RandomGraph &graph, bool acyclic)
+        {
+            const int percent = draw(10, 90);
+            for (std::size_t i = 0; i < graph.size; ++i)
+            {
+                for (std::size_t j = i + 1; j < graph.size; ++j)
+                {
+                    if (!chance(percent))
+                        continue;
+                    const int direction = acyclic ? 0 : draw(0, 3);
+                    graph.validMiddle[i][j] = graph.validMiddle[j][i] = !chance(15);
+                    graph.validMotion[i][j] = !chance(20);
+                    graph.validMotion[j][i] = direction == 3 ? !chance(20) : static_cast<bool>(graph.validMotion[i][j]);
+                    if (direction == 1)
+                        graph.motions.push_back({j, i, false});
+                    else
+                        graph.motions.push_back({i, j, direction == 2});
+                    if (direction == 3)
+                        graph.motions.push_back({j, i, false});
+                }
+            }
+        }
+
+        /* Costs with which no cycle is better than none: of any sign where there are no cycles, or where a potential
+           makes up for them. */
+        void drawCosts(RandomGraph &graph, bool acyclic)
+        {
+            const double sign = graph.algebra == Algebra::Gain ? -1.0 : 1.0;
+            const bool negative = graph.algebra != Algebra::Bottleneck && draw(0, 1) == 1;
+            std::vector<int> potential(graph.size, 0);
+            if (negative)
+                std::generate(potential.begin(), potential.end(), [] { return draw(-30, 30); });
+            for (std::size_t i = 0; i < graph.size; ++i)
+            {
+                for (std::size_t j = 0; j < graph.size; ++j)
+                {
+                    const int cost = draw(negative && acyclic ? -20 : 0, 20) + potential[i] - potential[j];
+                    graph.cost[i][j] = chance(10) ? worst(graph.algebra) : sign * cost;
+                }
+                graph.initial[i] = chance(10) ? worst(graph.algebra) : sign * draw(-40, 40);
+                graph.terminal[i] = chance(10) ? worst(graph.algebra) : sign * draw(-40, 40);
+            }
+        }
+
+        RandomGraph drawGraph(bool negativeCycles = false)
+        {
+            RandomGraph graph;
+            graph.algebra = negativeCycles ? Algebra::Sum : static_cast<Algebra>(draw(0, 2));
+            graph.size = static_cast<std::size_t>(draw(1, 12));
+            graph.cost.assign(graph.size, std::vector<double>(graph.size, 0.0));
+            graph.initial.assign(graph.size, 0.0);
+            graph.terminal.assign(graph.size, 0.0);
+            graph.validVertex.assign(graph.size, true);
+            graph.validMotion.assign(graph.size, std::vector<bool>(graph.size, true));
+            graph.validMiddle = graph.validMotion;
+            const bool acyclic = !negativeCycles && draw(0, 2) == 0;
+            drawEdges(graph, acyclic);
+            drawCosts(graph, acyclic);
+            for (std::size_t i = 0; i < graph.size; ++i)
+            {
+                graph.validVertex[i] = !chance(10);
+                if (negativeCycles)
+                    std::generate(graph.cost[i].begin(), graph.cost[i].end(), [] { return draw(-20, 20); });
+            }
+            graph.starts = drawEnds(graph.size);
+            graph.goals = drawEnds(graph.size);
+            return graph;
+        }
+
+        RC_GTEST_PROP(LazyGraphProperties, FindsTheBestPathOfTheGraphIfItBeatsTheBound, ())
+        {
+            const RandomGraph graph = drawGraph();
+            RC_LOG() << graph << "\n";
+            Case c(graph);
+            const double bound = draw(0, 2) == 0 ? INFINITE : draw(-100, 100);
+            c.expectAnswer(c.lazy->search(bound, PLENTY, *c.path), bound);
+        }
+
+        /* From any path to none: each search asks for a better one than the last found. */
+        RC_GTEST_PROP(LazyGraphProperties, FindsNothingBetterOnceItIsExhausted, ())
+        {
+            const RandomGraph graph = drawGraph();
+            RC_LOG() << graph << "\n";
+            Case c(graph);
+            double bound = INFINITE;
+            for (int i = 0; i < 3; ++i)
+            {
+                const bool found = c.lazy->search(bound, PLENTY, *c.path);
+                c.expectAnswer(found, bound);
+                if (!found)
+                    return;
+                const double cost = c.evaluator->cost(*c.path).value();
+                // an infinite bound is none: what beats an infinite cost is what beats the worst of the finite ones
+                bound = std::isfinite(cost) ? cost : std::copysign(std::numeric_limits<double>::max(), cost);
+            }
+            RC_FAIL("a third path of the same graph is better than the best");
+        }
+
+        RC_GTEST_PROP(LazyGraphProperties, AnswersOneBoundAfterTheOther, ())
+        {
+            const RandomGraph graph = drawGraph();
+            RC_LOG() << graph << "\n";
+            Case c(graph);
+            for (int i = 0; i < 6; ++i)
+            {
+                const double bound = draw(0, 4) == 0 ? INFINITE : draw(-100, 100);
+                RC_LOG() << "bound " << bound << "\n";
+                c.expectAnswer(c.lazy->search(bound, PLENTY, *c.path), bound);
+            }
+        }
+
+        /* What is removed is invalid to the tables from then on. */
+        RC_GTEST_PROP(LazyGraphProperties, AnswersForWhatIsRetained, ())
+        {
+            RandomGraph graph = drawGraph();
+            Case c(graph);
+            c.lazy->search(INFINITE, static_cast<std::uint64_t>(draw(0, 200)), *c.path);
+            std::vector<bool> kept(graph.size);
+            std::generate(kept.begin(), kept.end(), [] { return !chance(30); });
+            c.lazy->retain(kept);
+            std::size_t size = 0;
+            for (std::size_t v = 0; v < graph.size; ++v)
+            {
+                if (kept[v] || std::count(graph.starts.begin(), graph.starts.end(), v) > 0 ||
+                    std::count(graph.goals.begin(), graph.goals.end(), v) > 0)
+                    ++size;
+                else
+                    graph.validVertex[v] = false;
+            }
+            RC_LOG() << graph << "\n";
+            RC_ASSERT(c.lazy->size() == size);
+            const double bound = draw(0, 2) == 0 ? INFINITE : draw(-100, 100);
+            c.expectAnswer(c.lazy->search(bound, PLENTY, *c.path), bound);
+        }
+
+        RC_GTEST_PROP(LazyGraphProperties, AnswersAlikeHoweverLittleWorkASearchMayDo, ())
+        {
+            const RandomGraph graph = drawGraph();
+            RC_LOG() << graph << "\n";
+            Case c(graph);
+            const double bound = draw(0, 2) == 0 ? INFINITE : draw(-100, 100);
+            const auto work = static_cast<std::uint64_t>(draw(4, 200));
+            for (int i = 0; i < 5000; ++i)
+            {
+                const bool found = c.lazy->search(bound, work, *c.path);
+                if (found || c.lazy->exhausted())
+                    return c.expectAnswer(found, bound);
+            }
+            RC_FAIL("no end");
+        }
+
+        RC_GTEST_PROP(LazyGraphProperties, AnswersNothingWrongWhenItIsInterrupted, ())
+        {
+            const RandomGraph graph = drawGraph();
+            RC_LOG() << graph << "\n";
+            Case c(graph);
+            const double bound = draw(0, 2) == 0 ? INFINITE : draw(-100, 100);
+            for (int left = draw(0, 30); left >= 0; left -= 5)
+            {
+                int asked = 0;
+                c.evaluator->setStopCondition([&asked, left] { return ++asked > left; });
+                const bool found = c.lazy->search(bound, PLENTY, *c.path);
+                c.evaluator->setStopCondition({});
+                if (found || c.lazy->exhausted())
+                    return c.expectAnswer(found, bound);
+            }
+            c.expectAnswer(c.lazy->search(bound, PLENTY, *c.path), bound);
+        }
+
+        /* Where a cycle makes a path better each time there is no best one, but none that is found may be wrong. */
+        RC_GTEST_PROP(LazyGraphProperties, EndsWithAPathThatKeepsItsPromiseWhereCyclesMakeItBetter, ())
+        {
+            const RandomGraph graph = drawGraph(true);
+            RC_LOG() << graph << "\n";
+            Case c(graph);
+            const double bound = draw(0, 2) == 0 ? INFINITE : draw(-100, 100);
+            const bool found = c.lazy->search(bound, PLENTY, *c.path);
+            RC_ASSERT(found != c.lazy->exhausted());
+            double best = 0.0;
+            RC_ASSERT(!std::isinf(bound) || found == c.solve(best));
+            if (!found)
+                return;
+            c.expectPath();
+            RC_ASSERT(std::isinf(bound) || c.better(c.evaluator->cost(*c.path).value(), bound));
+        }
+    }  // namespace
+}  // namespace ompl_mfa
