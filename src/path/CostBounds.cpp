@@ -83,12 +83,39 @@ namespace ompl_mfa
             cost.value());
     }
 
+    double CostBounds::combine(double to, double from) const
+    {
+        return objective_->combineCosts(ob::Cost(to), ob::Cost(from)).value();
+    }
+
+    double CostBounds::lowerBoundTo(const ob::State *start, const ob::State *state) const
+    {
+        const double motions = objective_->motionCostHeuristic(start, state).value();
+        return certain_ ? motions : combine(objective_->initialCost(start).value(), motions);
+    }
+
+    double CostBounds::lowerBoundFrom(const ob::State *state, const ob::State *goal) const
+    {
+        const double motions = objective_->motionCostHeuristic(state, goal).value();
+        return certain_ ? motions : combine(motions, objective_->terminalCost(goal).value());
+    }
+
+    double CostBounds::lowerBound(const ob::State *start, const ob::State *goal) const
+    {
+        const double to = lowerBoundTo(start, goal);
+        return certain_ ? to : combine(to, objective_->terminalCost(goal).value());
+    }
+
+    bool CostBounds::canBeat(double lowerBound, double bound) const
+    {
+        return std::isinf(bound) || !admissible_ || std::isnan(lowerBound) ||
+               objective_->isCostBetterThan(ob::Cost(lowerBound), ob::Cost(bound));
+    }
+
     bool CostBounds::canBeat(const ob::State *start, const ob::State *state, const ob::State *goal, double bound) const
     {
         if (std::isinf(bound) || !admissible_)
             return true;
-        return objective_->isCostBetterThan(objective_->combineCosts(objective_->motionCostHeuristic(start, state),
-                                                                     objective_->motionCostHeuristic(state, goal)),
-                                            ob::Cost(bound));
+        return canBeat(combine(lowerBoundTo(start, state), lowerBoundFrom(state, goal)), bound);
     }
 }  // namespace ompl_mfa

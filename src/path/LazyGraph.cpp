@@ -10,7 +10,6 @@ namespace ompl_mfa
 {
     namespace
     {
-        constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
         /* Edges found invalid in one forward search, at the least, before the cost-to-go is computed again, which has
            to be worth its price, too. */
         constexpr unsigned int STALE_AFTER = 24;
@@ -18,6 +17,8 @@ namespace ompl_mfa
         constexpr std::uint64_t EDGES_PER_WORK = 2;
         /* Vertices handled between two evaluations of the stop condition. */
         constexpr std::size_t VERTICES_BETWEEN_STOPS = 64;
+        /* Edges handled between two of them. */
+        constexpr std::size_t EDGES_BETWEEN_STOPS = 2048;
         /* A motion is screened at states at least so many steps apart. */
         constexpr unsigned int SCREENING_STRIDE = 3;
         /* Times that a cost-to-go is handed on best first where motions have negative costs, before the pass goes on
@@ -46,14 +47,15 @@ namespace ompl_mfa
     std::size_t LazyGraph::addVertex(const ob::State *state, bool valid)
     {
         states_.append(state);
-        vertices_.push_back(
-            {{}, {}, 0.0, 0.0, NONE, NONE, NONE, 0, false, false, valid ? Validity::Valid : Validity::Unknown});
+        vertices_.emplace_back();
+        vertices_.back().validity = valid ? Validity::Valid : Validity::Unknown;
         begun_ = false;
         return vertices_.size() - 1;
     }
 
     void LazyGraph::setStart(std::size_t vertex)
     {
+        vertices_[vertex].start = true;
         starts_.push_back({static_cast<Index>(vertex), evaluator_.objective()->initialCost(states_[vertex]).value()});
         begun_ = false;
     }
@@ -91,15 +93,29 @@ namespace ompl_mfa
         return true;
     }
 
-    void LazyGraph::retain(const std::vector<bool> &kept)
+    bool LazyGraph::retain(const std::vector<bool> &kept)
     {
-        const std::vector<Index> numbers = retainVertices(kept);
-        std::vector<Validity> checks;
+        std::vector<Index> numbers(vertices_.size(), NONE);
+        std::vector<Vertex> vertices;
+        for (std::size_t v = 0; v < vertices_.size(); ++v)
+        {
+            if (!kept[v] && !isEnd(v))
+                continue;
+            numbers[v] = static_cast<Index>(vertices.size());
+            vertices.emplace_back();
+            vertices.back().goal = vertices_[v].goal;
+            vertices.back().start = vertices_[v].start;
+            vertices.back().validity = vertices_[v].validity;
+        }
         std::deque<Edge> edges;
+        std::vector<Validity> checks;
         // both directions of a motion follow each other
         Index check = NONE;
+        std::size_t handled = 0;
         for (const Edge &edge : edges_)
         {
+            if (++handled % EDGES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return false;
             const Index from = numbers[edge.from];
             const Index to = numbers[edge.to];
             if (from == NONE || to == NONE || checks_[edge.check] == Validity::Invalid)
@@ -107,44 +123,57 @@ namespace ompl_mfa
             if (edge.check != check)
                 checks.push_back(checks_[edge.check]);
             check = edge.check;
-            vertices_[from].out.push_back(static_cast<Index>(edges.size()));
-            vertices_[to].in.push_back(static_cast<Index>(edges.size()));
+            vertices[from].out.push_back(static_cast<Index>(edges.size()));
+            vertices[to].in.push_back(static_cast<Index>(edges.size()));
             edges.push_back({from, to, static_cast<Index>(checks.size() - 1), edge.cost});
         }
+        evaluator_.addWork(edges_.size() / EDGES_PER_WORK);
         edges_.swap(edges);
         checks_.swap(checks);
+        vertices_.swap(vertices);
+        for (std::size_t v = 0; v < numbers.size(); ++v)
+        {
+            if (numbers[v] != NONE && numbers[v] != v)
+                states_.space()->copyState(states_[numbers[v]], states_[v]);
+        }
+        states_.resize(vertices_.size());
         for (std::vector<End> *ends : {&starts_, &goals_})
         {
             for (End &end : *ends)
                 end.vertex = numbers[end.vertex];
         }
         begun_ = false;
+        return true;
     }
 
-    /* Removes vertices and all edges at the others; returns the new numbers. */
-    std::vector<LazyGraph::Index> LazyGraph::retainVertices(const std::vector<bool> &kept)
+    std::vector<std::size_t> LazyGraph::verticesOf(const std::vector<End> &ends)
     {
-        std::vector<Index> numbers(vertices_.size(), NONE);
-        for (const End &start : starts_)
-            numbers[start.vertex] = 0;
-        std::size_t size = 0;
-        for (std::size_t v = 0; v < vertices_.size(); ++v)
+        std::vector<std::size_t> vertices;
+        vertices.reserve(ends.size());
+        for (const End &end : ends)
+            vertices.push_back(end.vertex);
+        return vertices;
+    }
+
+    std::vector<std::size_t> LazyGraph::starts() const
+    {
+        return verticesOf(starts_);
+    }
+
+    std::vector<std::size_t> LazyGraph::goals() const
+    {
+        return verticesOf(goals_);
+    }
+
+    std::vector<std::pair<std::size_t, std::size_t>> LazyGraph::validEdges() const
+    {
+        std::vector<std::pair<std::size_t, std::size_t>> valid;
+        for (const Edge &edge : edges_)
         {
-            if (!kept[v] && numbers[v] == NONE && vertices_[v].goal == NONE)
-                continue;
-            numbers[v] = static_cast<Index>(size);
-            vertices_[v].out.clear();
-            vertices_[v].in.clear();
-            if (v != size)
-            {
-                std::swap(vertices_[size], vertices_[v]);
-                states_.space()->copyState(states_[size], states_[v]);
-            }
-            ++size;
+            if (checks_[edge.check] == Validity::Valid)
+                valid.emplace_back(edge.from, edge.to);
         }
-        vertices_.erase(vertices_.begin() + static_cast<std::ptrdiff_t>(size), vertices_.end());
-        states_.resize(size);
-        return numbers;
+        return valid;
     }
 
     bool LazyGraph::better(double a, double b) const

@@ -87,6 +87,7 @@ namespace ompl_mfa
     void MFA::forgetSearch()
     {
         forgetParts();
+        pairBounds_.reset();
         evaluator_.reset();
         query_->reset();
         incumbent_->reset(nullptr);
@@ -125,6 +126,7 @@ namespace ompl_mfa
         search_ = settings_;
         incumbent_->reset(objective_);
         evaluator_ = std::make_unique<PathEvaluator>(si_, objective_, search_.threads);
+        pairBounds_ = std::make_unique<PairBounds>(evaluator_->bounds());
         evaluator_->setPartialPathEvent([this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
                                         { offerPartial(path, motion, lastValid); });
         runSeed_ = search_.seed != 0 ? search_.seed : static_cast<std::uint64_t>(rng_.uniformInt(1, 1 << 30));
@@ -201,29 +203,12 @@ namespace ompl_mfa
         return objective_->isSatisfied(ob::Cost(incumbent_->cost())) || (provenOptimal() && boundsHold());
     }
 
-    bool MFA::provenOptimal() const
+    bool MFA::provenOptimal()
     {
         if (!query_->goalsComplete() || !evaluator_->bounds().admissible())
             return false;
-        const ob::Cost best(incumbent_->cost());
-        bool met = false;
-        for (std::size_t i = 0; i < query_->starts().size(); ++i)
-        {
-            for (std::size_t j = 0; j < query_->goals().size(); ++j)
-            {
-                const ob::State *start = query_->starts()[i];
-                const ob::State *goal = query_->goals()[j];
-                const ob::Cost bound =
-                    objective_->combineCosts(objective_->combineCosts(objective_->initialCost(start),
-                                                                      objective_->motionCostHeuristic(start, goal)),
-                                             objective_->terminalCost(goal));
-                if (objective_->isCostBetterThan(bound, best))
-                    return false;
-                // bounds that are all beaten are none: OMPL's default heuristic does not know of costs below identity
-                met = met || !objective_->isCostBetterThan(best, bound);
-            }
-        }
-        return met;
+        pairBounds_->update(query_->starts(), query_->goals());
+        return pairBounds_->isBest(incumbent_->cost(), query_->starts(), query_->goals());
     }
 
     /* A proof is as good as the objective's heuristic. Where it is not known to be a bound, detours tell: an objective

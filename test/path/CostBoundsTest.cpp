@@ -133,6 +133,56 @@ namespace ompl_mfa
             EXPECT_TRUE(beatable(bounds, 0.1));
         }
 
+        /* Path length with a price of the first and of the last state. */
+        class PricedEnds : public Derived
+        {
+        public:
+            PricedEnds(const ob::SpaceInformationPtr &si, double initial, double terminal)
+              : Derived(si)
+              , initial_(initial)
+              , terminal_(terminal)
+            {
+            }
+
+            ob::Cost initialCost(const ob::State *) const override
+            {
+                return ob::Cost(initial_);
+            }
+
+            ob::Cost terminalCost(const ob::State *) const override
+            {
+                return ob::Cost(terminal_);
+            }
+
+        private:
+            double initial_;
+            double terminal_;
+        };
+
+        TEST_F(CostBoundsTest, HoldInitialAndTerminalCostsAsPathsDo)
+        {
+            const CostBounds bounds(si_, std::make_shared<PricedEnds>(si_, 20.0, -100.0));
+            EXPECT_TRUE(beatable(bounds, 0.0));
+            EXPECT_TRUE(beatable(bounds, -77.1));
+            EXPECT_FALSE(beatable(bounds, -77.2));
+            EXPECT_DOUBLE_EQ(bounds.lowerBound(state(0), state(2)), 20.0 + std::sqrt(8.0) - 100.0);
+            EXPECT_FALSE(beatable(CostBounds(si_, std::make_shared<PricedEnds>(si_, 0.0, 100.0)), 50.0));
+        }
+
+        TEST_F(CostBoundsTest, OfPathsThatCannotHaveAFiniteCostBeatNoFiniteOne)
+        {
+            const CostBounds bounds(si_, std::make_shared<PricedEnds>(si_, NONE, 0.0));
+            EXPECT_FALSE(beatable(bounds, std::numeric_limits<double>::max()));
+            EXPECT_TRUE(beatable(bounds, NONE));
+            EXPECT_TRUE(beatable(CostBounds(si_, std::make_shared<PricedEnds>(si_, 1.0, 0.0)),
+                                 std::numeric_limits<double>::max()));
+        }
+
+        TEST_F(CostBoundsTest, ThatAreNoNumbersPruneNothing)
+        {
+            EXPECT_TRUE(beatable(CostBounds(si_, std::make_shared<PricedEnds>(si_, NONE, -NONE)), 1.0));
+        }
+
         TEST_F(CostBoundsTest, AMotionThatEarnsSomethingContradicts)
         {
             CostBounds bounds(si_, std::make_shared<Own>(si_));

@@ -9,10 +9,12 @@
 #include <ostream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
 #include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
 #include <ompl/base/objectives/MinimaxObjective.h>
@@ -444,6 +446,46 @@ namespace ompl_mfa
             // straight through the disc: 5 and 30 for its diameter; around it, two tangents and an arc
             const double around = 2.0 * std::sqrt(16.0 - 2.25) + 2.0 * 1.5 * std::asin(1.5 / 4.0);
             EXPECT_LT(planner->bestCost(), 1.1 * around);
+        }
+
+        /* Path length, and a price for where it ends: on this side of the wall or beyond. */
+        class PricedEnds : public ob::PathLengthOptimizationObjective
+        {
+        public:
+            PricedEnds(const ob::SpaceInformationPtr &si, double here, double beyond)
+              : PathLengthOptimizationObjective(si)
+              , here_(here)
+              , beyond_(beyond)
+            {
+                // OMPL's default of 0 would be met by any path with a reward
+                setCostThreshold(ob::Cost(-1e9));
+            }
+
+            ob::Cost terminalCost(const ob::State *state) const override
+            {
+                return ob::Cost(test::coordinate(state, 0) < 5.0 ? here_ : beyond_);
+            }
+
+        private:
+            double here_;
+            double beyond_;
+        };
+
+        /* The best of two goals is the one beyond the wall, 13.2 away; the other one can be seen from the start. */
+        TEST(Goals, TheBestIsTheOneWithTheBestSumOfPathAndTerminalCost)
+        {
+            for (const auto &[here, beyond] : {std::pair{100.0, 0.0}, {0.0, -100.0}})
+            {
+                const auto problem = test::wallProblem();
+                const auto goals = std::make_shared<ob::GoalStates>(problem->si);
+                goals->addState(problem->state({3.0, 1.0}));
+                goals->addState(problem->state({9.0, 1.0}));
+                problem->pdef->setGoal(goals);
+                problem->pdef->setOptimizationObjective(std::make_shared<PricedEnds>(problem->si, here, beyond));
+                const auto planner = problem->planner(test::Engine::Default);
+                ASSERT_EQ(planner->solve(test::afterCalls(60000)), ob::PlannerStatus::EXACT_SOLUTION);
+                EXPECT_NEAR(planner->bestCost(), test::wallOptimum() + beyond, 0.1) << here << " and " << beyond;
+            }
         }
 
         TEST_P(Objectives, WithoutOneThePathLengthIsTaken)

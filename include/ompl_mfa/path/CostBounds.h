@@ -43,6 +43,22 @@ namespace ompl_mfa
         /** \brief Learns from the combined cost of motions that lead \e from -> \e to, valid or not. */
         void observePath(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost cost);
 
+        /** \brief What a path from \e start to \e goal costs at the least, with initial and terminal cost. */
+        double lowerBound(const ompl::base::State *start, const ompl::base::State *goal) const;
+
+        /** \brief What a path from \e start to \e state costs at the least, with initial cost. */
+        double lowerBoundTo(const ompl::base::State *start, const ompl::base::State *state) const;
+
+        /** \brief What a path from \e state to \e goal costs at the least, with terminal cost. */
+        double lowerBoundFrom(const ompl::base::State *state, const ompl::base::State *goal) const;
+
+        /** \brief The combination of two such bounds. */
+        double combine(double to, double from) const;
+
+        /** \brief Whether a path of a cost that is at the least \e lowerBound can be better than \e bound (infinite:
+            any), a cost of paths with initial and terminal cost. A lower bound that is no number promises anything. */
+        bool canBeat(double lowerBound, double bound) const;
+
         /** \brief Whether a path from \e start through \e state to \e goal can be better than \e bound (infinite:
             any). */
         bool canBeat(const ompl::base::State *start, const ompl::base::State *state, const ompl::base::State *goal,

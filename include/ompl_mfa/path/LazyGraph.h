@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "ompl_mfa/path/PathEvaluator.h"
@@ -46,8 +48,8 @@ namespace ompl_mfa
 
         /** \brief Removes the vertices for which \e kept (one for each) is false, other than starts and goals, with
            their edges, and all edges that were found invalid. The others keep their order and what is known of them,
-           and are numbered 0, 1, ... again. */
-        void retain(const std::vector<bool> &kept);
+           and are numbered 0, 1, ... again. False, with nothing removed, if the evaluator is interrupted. */
+        bool retain(const std::vector<bool> &kept);
 
         std::size_t size() const
         {
@@ -65,12 +67,27 @@ namespace ompl_mfa
             return states_[vertex];
         }
 
+        /** \brief Whether paths may begin or end at \e vertex. */
+        bool isEnd(std::size_t vertex) const
+        {
+            return vertices_[vertex].start || vertices_[vertex].goal != NONE;
+        }
+
+        /** \brief The vertices at which paths may begin. */
+        std::vector<std::size_t> starts() const;
+
+        /** \brief The vertices at which paths may end. */
+        std::vector<std::size_t> goals() const;
+
+        /** \brief From and to of the motions that were found valid. */
+        std::vector<std::pair<std::size_t, std::size_t>> validEdges() const;
+
         /** \brief Finds the best path from a start to a goal if it is better than \e bound (infinite: any). Stops after
             about \e work units of PathEvaluator::work(), or when the evaluator is interrupted; what was checked is
             kept. Returns true with the path, which may be a single state, in \e path.
 
             Where a cycle makes a path better each time it is gone round, no path is the best: then the answer is the
-            best of those that the search comes across, and it still beats the bound. */
+            best of those that the search finds, and it still beats the bound. */
         bool search(double bound, std::uint64_t work, Waypoints &path);
 
         /** \brief Whether the last search ended because no better path is left in the graph. */
@@ -96,6 +113,8 @@ namespace ompl_mfa
 
         using Index = std::uint32_t;
 
+        static constexpr Index NONE = std::numeric_limits<Index>::max();
+
         /* A motion; its reverse, if the motion serves both ways, has the same check. */
         struct Edge
         {
@@ -109,15 +128,16 @@ namespace ompl_mfa
         {
             std::vector<Index> out;  ///< edges
             std::vector<Index> in;
-            double costToCome;
-            double costToGo;
-            Index parent;             ///< edge by which it was reached, none at a start
-            Index next;               ///< edge toward the goal, none where the path ends best
-            Index goal;               ///< into goals_, or none
-            unsigned int expansions;  ///< how often costToGo was handed on
-            bool reached;
-            bool reaches;  ///< whether costToGo is known
-            Validity validity;
+            double costToCome{0.0};
+            double costToGo{0.0};
+            Index parent{NONE};          ///< edge by which it was reached, none at a start
+            Index next{NONE};            ///< edge toward the goal, none where the path ends best
+            Index goal{NONE};            ///< into goals_, or none
+            unsigned int expansions{0};  ///< how often costToGo was handed on
+            bool start{false};
+            bool reached{false};
+            bool reaches{false};  ///< whether costToGo is known
+            Validity validity{Validity::Unknown};
         };
 
         /* An edge from the source to a start or from a goal to the sink. */
@@ -151,7 +171,7 @@ namespace ompl_mfa
             Blocked  ///< its motion is invalid
         };
 
-        std::vector<Index> retainVertices(const std::vector<bool> &kept);
+        static std::vector<std::size_t> verticesOf(const std::vector<End> &ends);
         bool better(double a, double b) const;
         double combine(double a, double b) const;
         bool canBeat(double cost, double bound) const;

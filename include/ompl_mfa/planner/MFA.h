@@ -19,6 +19,7 @@
 #include "ompl_mfa/path/StateChart.h"
 #include "ompl_mfa/planner/Incumbent.h"
 #include "ompl_mfa/planner/MFASettings.h"
+#include "ompl_mfa/planner/PairBounds.h"
 #include "ompl_mfa/planner/PlannerGuide.h"
 #include "ompl_mfa/planner/PublishingSchedule.h"
 #include "ompl_mfa/planner/Query.h"
@@ -149,7 +150,7 @@ namespace ompl_mfa
         void forgetParts();
         void forgetSearch();
         bool finished(const ompl::base::PlannerTerminationCondition &ptc);
-        bool provenOptimal() const;
+        bool provenOptimal();
         bool boundsHold();
         void iterate(const ompl::base::PlannerTerminationCondition &ptc);
         void takeNextTurn(const std::vector<bool> &available);
@@ -185,6 +186,7 @@ namespace ompl_mfa
         StateChartPtr chart_;
         ompl::base::OptimizationObjectivePtr objective_;
         std::unique_ptr<PathEvaluator> evaluator_;
+        std::unique_ptr<PairBounds> pairBounds_;
         std::unique_ptr<Query> query_;
         std::unique_ptr<Incumbent> incumbent_;
 
