@@ -26,7 +26,7 @@ namespace ompl_mfa
       , range_(RANGE * chart_->space()->getMaximumExtent())
       , sample_(chart_->space()->allocState())
       , step_(chart_->space()->allocState())
-      , probe_{nullptr, nullptr}
+      , probe_{nullptr, nullptr, 0}
     {
         for (Tree *tree : {&startTree_, &goalTree_})
             tree->nearest.reset(ompl::tools::SelfConfig::getDefaultNearestNeighbors<Vertex *>(planner));
@@ -51,29 +51,40 @@ namespace ompl_mfa
         for (const auto &vertex : tree.vertices)
             chart_->space()->freeState(vertex->state);
         tree.vertices.clear();
-        tree.roots = 0;
+        tree.offered = 0;
     }
 
     void TreeGuide::restart()
     {
         freeVertices(startTree_);
         freeVertices(goalTree_);
+        metFromStart_ = metFromGoal_ = nullptr;
         startsTurn_ = true;
     }
 
     TreeGuide::Vertex *TreeGuide::addVertex(Tree &tree, const ob::State *state, const Vertex *parent)
     {
-        tree.vertices.push_back(std::make_unique<Vertex>(Vertex{chart_->space()->cloneState(state), parent}));
+        tree.vertices.push_back(
+            std::make_unique<Vertex>(Vertex{chart_->space()->cloneState(state), parent, tree.vertices.size()}));
         tree.nearest->add(tree.vertices.back().get());
         return tree.vertices.back().get();
     }
 
-    void TreeGuide::addRoots(const Query &query)
+    void TreeGuide::addRoots(const Query &query, double bound)
     {
-        for (; startTree_.roots < query.starts().size(); ++startTree_.roots)
-            addVertex(startTree_, query.starts()[startTree_.roots], nullptr);
-        for (; goalTree_.roots < query.goals().size(); ++goalTree_.roots)
-            addVertex(goalTree_, query.goals()[goalTree_.roots], nullptr);
+        PairBounds &pairs = sampler_.pairs();
+        if (!std::isinf(bound))
+            pairs.update(query.starts(), query.goals());
+        for (; startTree_.offered < query.starts().size(); ++startTree_.offered)
+        {
+            if (pairs.startCanBeat(startTree_.offered, bound))
+                addVertex(startTree_, query.starts()[startTree_.offered], nullptr);
+        }
+        for (; goalTree_.offered < query.goals().size(); ++goalTree_.offered)
+        {
+            if (pairs.goalCanBeat(goalTree_.offered, bound))
+                addVertex(goalTree_, query.goals()[goalTree_.offered], nullptr);
+        }
     }
 
     TreeGuide::Vertex *TreeGuide::nearest(Tree &tree, const ob::State *state, bool fromStart)
@@ -143,13 +154,9 @@ namespace ompl_mfa
     {
         const bool fromStart = startsTurn_;
         startsTurn_ = !startsTurn_;
-        auto &rng = sampler_.rng();
-        const auto pick = [&rng](std::size_t size)
-        { return static_cast<std::size_t>(rng.uniformInt(0, static_cast<int>(size) - 1)); };
-        const ob::State *start = query.starts()[pick(query.starts().size())];
-        const ob::State *goal = query.goals()[pick(query.goals().size())];
         evaluator_.addWork(1);
-        if (!sampler_.sample(start, goal, bound, sample_))
+        if (startTree_.vertices.empty() || goalTree_.vertices.empty() ||
+            !sampler_.sample(query.starts(), query.goals(), bound, sample_))
             return false;
         Tree &tree = fromStart ? startTree_ : goalTree_;
         Tree &other = fromStart ? goalTree_ : startTree_;
@@ -162,7 +169,9 @@ namespace ompl_mfa
             extension = extend(other, !fromStart, added->state, met);
         if (extension != Extension::Reached)
             return false;
-        join(fromStart ? added : met, fromStart ? met : added, path);
+        metFromStart_ = fromStart ? added : met;
+        metFromGoal_ = fromStart ? met : added;
+        join(metFromStart_, metFromGoal_, path);
         return path.size() >= 2;
     }
 
@@ -170,16 +179,41 @@ namespace ompl_mfa
     {
         if (query.starts().empty() || query.goals().empty())
             return false;
-        addRoots(query);
+        // only now: until then the trees show what found the path
+        if (metFromStart_ != nullptr)
+            restart();
+        addRoots(query, bound);
         const std::uint64_t limit = evaluator_.work() + work;
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
             if (iterate(query, bound, path))
-            {
-                restart();
                 return true;
-            }
         }
         return false;
+    }
+
+    void TreeGuide::explain(SearchGraph &graph) const
+    {
+        const auto add = [&graph](const Tree &tree, bool fromStart)
+        {
+            const std::size_t first = graph.states.size();
+            for (const auto &vertex : tree.vertices)
+            {
+                const std::size_t here = first + vertex->number;
+                graph.states.append(vertex->state);
+                if (vertex->parent == nullptr)
+                    (fromStart ? graph.starts : graph.goals).push_back(here);
+                else if (fromStart)
+                    graph.edges.emplace_back(first + vertex->parent->number, here);
+                else
+                    graph.edges.emplace_back(here, first + vertex->parent->number);
+            }
+            return first;
+        };
+        const std::size_t firstOfStart = add(startTree_, true);
+        const std::size_t firstOfGoal = add(goalTree_, false);
+        // both trees have the state at which they met; the motion on from there joins them
+        if (metFromStart_ != nullptr && metFromGoal_->parent != nullptr)
+            graph.edges.emplace_back(firstOfStart + metFromStart_->number, firstOfGoal + metFromGoal_->parent->number);
     }
 }  // namespace ompl_mfa

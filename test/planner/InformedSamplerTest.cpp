@@ -1,6 +1,9 @@
 #include "ompl_mfa/planner/InformedSampler.h"
 
+#include <limits>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +11,7 @@
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
 #include "path/StateSpaces.h"
+#include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;
 
@@ -36,6 +40,8 @@ namespace ompl_mfa
                 ompl::RNG rng(7);
                 chart_->sampleUniform(rng, start_.get());
                 chart_->sampleUniform(rng, goal_.get());
+                starts_.append(start_.get());
+                goals_.append(goal_.get());
                 bound_ = 1.3 * space_->distance(start_.get(), goal_.get());
             }
 
@@ -52,7 +58,7 @@ namespace ompl_mfa
                 int drawn = 0;
                 for (int i = 0; i < 300; ++i)
                 {
-                    if (!sampler.sample(start_.get(), goal_.get(), bound_, state_.get()))
+                    if (!sampler.sample(starts_, goals_, bound_, state_.get()))
                         continue;
                     EXPECT_TRUE(space_->satisfiesBounds(state_.get()));
                     ++drawn;
@@ -67,6 +73,8 @@ namespace ompl_mfa
             ob::ScopedState<> start_;
             ob::ScopedState<> goal_;
             ob::ScopedState<> state_;
+            Waypoints starts_{space_};
+            Waypoints goals_{space_};
             double bound_{0.0};
         };
 
@@ -89,6 +97,165 @@ namespace ompl_mfa
             const auto [within, drawn] = informed(bounds);
             EXPECT_EQ(drawn, 300);
             EXPECT_LT(within, 300);
+        }
+
+        /* Three goals around a start, of which the bound leaves two. */
+        TEST(InformedSampler, DrawsFromTheInformedSetsOfAllPairsThatCanBeBetter)
+        {
+            const auto space = test::realVectorSpace(2);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            const Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
+            const Waypoints goals = test::planarPath(space, {{4.0, 0.0}, {0.0, 4.0}, {-6.0, 0.0}});
+            for (const bool direct : {true, false})
+            {
+                const auto length = std::make_shared<ob::PathLengthOptimizationObjective>(si);
+                const CostBounds bounds(si, direct ? length : std::make_shared<Derived>(si));
+                InformedSampler sampler(std::make_shared<const StateChart>(space), bounds, 3);
+                ob::ScopedState<> state(space);
+                std::vector<int> within(3, 0);
+                for (int i = 0; i < 1000; ++i)
+                {
+                    if (!sampler.sample(starts, goals, 5.0, state.get()))
+                        continue;
+                    bool useful = false;
+                    for (std::size_t j = 0; j < goals.size(); ++j)
+                    {
+                        const double through =
+                            space->distance(starts[0], state.get()) + space->distance(state.get(), goals[j]);
+                        within[j] += through < 5.0 ? 1 : 0;
+                        useful = useful || through < 5.0;
+                    }
+                    EXPECT_TRUE(useful);
+                    EXPECT_LT(sampler.lowerBound(), 5.0);
+                }
+                EXPECT_GT(within[0], 100);
+                EXPECT_GT(within[1], 100);
+                EXPECT_EQ(within[2], 0);
+                // no pair is left, and all are again where the bound is worse
+                EXPECT_FALSE(sampler.sample(starts, goals, 3.0, state.get()));
+                EXPECT_TRUE(sampler.sample(starts, goals, 7.0, state.get()));
+            }
+        }
+
+        /* A reward at the goal that is farther: without it the state between is beyond the bound. */
+        TEST(InformedSampler, KnowsOfRewardsAtTheEnds)
+        {
+            class Rewarded : public Derived
+            {
+            public:
+                using Derived::Derived;
+
+                ob::Cost terminalCost(const ob::State *state) const override
+                {
+                    return ob::Cost(state->as<ob::RealVectorStateSpace::StateType>()->values[0] > 0.0 ? -100.0 : 0.0);
+                }
+            };
+            const auto space = test::realVectorSpace(2);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            const CostBounds bounds(si, std::make_shared<Rewarded>(si));
+            InformedSampler sampler(std::make_shared<const StateChart>(space), bounds, 3);
+            const Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
+            const Waypoints goals = test::planarPath(space, {{8.0, 0.0}, {-1.0, 0.0}});
+            ob::ScopedState<> state(space);
+            int drawn = 0;
+            for (int i = 0; i < 100; ++i)
+                drawn += sampler.sample(starts, goals, 1.0, state.get()) ? 1 : 0;
+            EXPECT_EQ(drawn, 100);
+        }
+
+        /* Draws states in a corner, some of them out of bounds, and counts them. */
+        class CornerSampler : public ob::RealVectorStateSampler
+        {
+        public:
+            CornerSampler(const ob::StateSpace *space, int &count)
+              : RealVectorStateSampler(space)
+              , count_(count)
+            {
+            }
+
+            void sampleUniform(ob::State *state) override
+            {
+                ++count_;
+                double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                for (unsigned int i = 0; i < space_->getDimension(); ++i)
+                    values[i] = 10.0 + rng_.uniformReal(-1.0, 1.0);
+            }
+
+        private:
+            int &count_;
+        };
+
+        ob::StateSamplerAllocator corner(int &count)
+        {
+            return [&count](const ob::StateSpace *space) { return std::make_shared<CornerSampler>(space, count); };
+        }
+
+        bool isInCorner(const ob::State *state)
+        {
+            const double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+            return values[0] >= 9.0 && values[1] >= 9.0;
+        }
+
+        TEST(InformedSampler, DrawsEveryOtherStateByTheUsersSampler)
+        {
+            const auto space = test::realVectorSpace(2);
+            int count = 0;
+            space->setStateSamplerAllocator(corner(count));
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            const CostBounds bounds(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
+            InformedSampler sampler(std::make_shared<const StateChart>(space), bounds, 3);
+            const Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
+            const Waypoints goals = test::planarPath(space, {{4.0, 0.0}});
+            ob::ScopedState<> state(space);
+            int inCorner = 0;
+            for (int i = 0; i < 1000; ++i)
+            {
+                ASSERT_TRUE(sampler.sample(starts, goals, std::numeric_limits<double>::infinity(), state.get()));
+                EXPECT_TRUE(space->satisfiesBounds(state.get()));
+                inCorner += isInCorner(state.get()) ? 1 : 0;
+            }
+            EXPECT_EQ(count, 500);
+            EXPECT_GE(inCorner, 500);
+            EXPECT_LT(inCorner, 520);
+            // no path as short as that leads through the corner
+            int drawn = 0;
+            for (int i = 0; i < 1000; ++i)
+            {
+                if (!sampler.sample(starts, goals, 5.0, state.get()))
+                    continue;
+                ++drawn;
+                EXPECT_FALSE(isInCorner(state.get()));
+            }
+            EXPECT_EQ(drawn, 500);
+            EXPECT_GT(count, 1000);
+        }
+
+        TEST(InformedSampler, FindsTheUsersSamplerOfASubspace)
+        {
+            const auto plane = test::realVectorSpace(2);
+            int count = 0;
+            plane->setStateSamplerAllocator(corner(count));
+            const auto inner = test::compoundSpace({test::so2Space(), plane}, {1.0, 1.0});
+            const auto space = test::compoundSpace({inner, test::realVectorSpace(1)}, {1.0, 1.0});
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            const CostBounds bounds(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
+            InformedSampler sampler(std::make_shared<const StateChart>(space), bounds, 3);
+            ob::ScopedState<> state(space);
+            for (int i = 0; i < 100; ++i)
+                sampler.sample(Waypoints(space), Waypoints(space), std::numeric_limits<double>::infinity(),
+                               state.get());
+            EXPECT_EQ(count, 50);
+        }
+
+        TEST(InformedSampler, TheWholePlannerDrawsByTheUsersSampler)
+        {
+            const auto problem = test::wallProblem();
+            int count = 0;
+            problem->si->getStateSpace()->setStateSamplerAllocator(corner(count));
+            const auto planner = problem->planner(test::Engine::Default);
+            ASSERT_EQ(planner->solve(test::afterCalls(30000)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_GT(count, 100);
+            EXPECT_TRUE(problem->path().check());
         }
     }  // namespace
 }  // namespace ompl_mfa

@@ -5,6 +5,7 @@
 
 #include "ompl_mfa/path/Waypoints.h"
 #include "ompl_mfa/planner/Query.h"
+#include "ompl_mfa/planner/SearchGraph.h"
 
 namespace ompl_mfa
 {
@@ -18,6 +19,10 @@ namespace ompl_mfa
             in \e path, from one of the query's starts to one of its goals with all motions checked; the next call goes
             on from there. \e bound is the cost that a path should beat in the end (infinite before there is one). */
         virtual bool advance(const Query &query, double bound, std::uint64_t work, Waypoints &path) = 0;
+
+        /** \brief Appends to \e graph the states that the guide has, none of which is known to be invalid, with the
+            motions between them that it found valid; nothing where it cannot answer for either. */
+        virtual void explain(SearchGraph &graph) const;
     };
 }  // namespace ompl_mfa
 

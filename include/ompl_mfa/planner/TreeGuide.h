@@ -15,7 +15,8 @@
 namespace ompl_mfa
 {
     /** \brief Two trees, from the starts and from the goals, that grow toward each other (RRT-Connect); once they met,
-        they begin anew within the informed set, so that other homotopy classes get their chance.
+        they restart within the informed set, so that other homotopy classes get their chance. Starts and goals that
+        cannot be on a better path are no roots then.
 
         J. J. Kuffner and S. M. LaValle, RRT-Connect: An efficient approach to single-query path planning, ICRA 2000.
         It is not a call of OMPL's planner because it has to draw its states from the seed of the run, to stop between
@@ -32,18 +33,22 @@ namespace ompl_mfa
 
         bool advance(const Query &query, double bound, std::uint64_t work, Waypoints &path) override;
 
+        /** \brief Both trees; once they have met, until the next call of advance(), with the motion that joins them. */
+        void explain(SearchGraph &graph) const override;
+
     private:
         struct Vertex
         {
             ompl::base::State *state;
             const Vertex *parent;
+            std::size_t number;  ///< in its tree
         };
 
         struct Tree
         {
             std::shared_ptr<ompl::NearestNeighbors<Vertex *>> nearest;
             std::vector<std::unique_ptr<Vertex>> vertices;
-            std::size_t roots{0};  ///< how many of the query's states it was given
+            std::size_t offered{0};  ///< how many of the query's states it was given to choose its roots from
         };
 
         enum class Extension
@@ -56,7 +61,7 @@ namespace ompl_mfa
         void restart();
         void freeVertices(Tree &tree);
         Vertex *addVertex(Tree &tree, const ompl::base::State *state, const Vertex *parent);
-        void addRoots(const Query &query);
+        void addRoots(const Query &query, double bound);
         Vertex *nearest(Tree &tree, const ompl::base::State *state, bool fromStart);
         Extension extend(Tree &tree, bool fromStart, const ompl::base::State *target, Vertex *&added);
         bool iterate(const Query &query, double bound, Waypoints &path);
@@ -67,6 +72,8 @@ namespace ompl_mfa
         InformedSampler sampler_;
         Tree startTree_;
         Tree goalTree_;
+        const Vertex *metFromStart_{nullptr};  ///< where the trees have met, the same state in both
+        const Vertex *metFromGoal_{nullptr};
         bool startsTurn_{true};
         double range_;
         ompl::base::State *sample_;

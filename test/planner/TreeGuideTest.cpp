@@ -1,0 +1,363 @@
+#include "ompl_mfa/planner/TreeGuide.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+
+#include "ompl_mfa/planner/MFA.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr double ANY = std::numeric_limits<double>::infinity();
+
+        /* A query in any space and all that a guide for it needs. */
+        class GuideQuery
+        {
+        public:
+            GuideQuery(const ob::StateSpacePtr &space, const std::function<bool(const ob::State *)> &isValid,
+                       const Waypoints &starts, const Waypoints &goals)
+              : counted(space, isValid)
+              , si(counted.si)
+              , planner(std::make_unique<MFA>(si))
+              , chart(std::make_shared<const StateChart>(space))
+              , evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si))
+              , query(space)
+              , path(space)
+            {
+                const auto pdef = std::make_shared<ob::ProblemDefinition>(si);
+                for (const ob::State *start : starts.pointers())
+                    pdef->addStartState(start);
+                const auto goal = std::make_shared<ob::GoalStates>(si);
+                for (const ob::State *state : goals.pointers())
+                    goal->addState(state);
+                pdef->setGoal(goal);
+                planner->setProblemDefinition(pdef);
+                inputs.use(pdef);
+                query.reset(*pdef);
+                query.begin(inputs, ob::plannerNonTerminatingCondition(), chart, si, 1);
+                for (std::size_t i = 0; i < 2 * goals.size(); ++i)
+                    query.poll(inputs, ob::plannerNonTerminatingCondition());
+            }
+
+            /* Gives the guide turns until it has a path. */
+            bool find(Guide &guide, double bound, int turns = 2000)
+            {
+                for (int turn = 0; turn < turns; ++turn)
+                {
+                    if (guide.advance(query, bound, 1000, path))
+                        return true;
+                }
+                return false;
+            }
+
+            bool isOneOf(const Waypoints &states, const ob::State *state) const
+            {
+                for (std::size_t i = 0; i < states.size(); ++i)
+                {
+                    if (si->equalStates(states[i], state))
+                        return true;
+                }
+                return false;
+            }
+
+            void expectPath()
+            {
+                ASSERT_GE(path.size(), 2U);
+                EXPECT_TRUE(isOneOf(query.starts(), path.front()));
+                EXPECT_TRUE(isOneOf(query.goals(), path.back()));
+                for (std::size_t i = 0; i < path.size(); ++i)
+                    EXPECT_TRUE(si->isValid(path[i]));
+                EXPECT_TRUE(evaluator.checkPath(path));
+            }
+
+            test::CountingProblem counted;
+            ob::SpaceInformationPtr si;
+            std::unique_ptr<MFA> planner;
+            StateChartPtr chart;
+            PathEvaluator evaluator;
+            ob::PlannerInputStates inputs;
+            Query query;
+            Waypoints path;
+        };
+
+        Waypoints one(const ob::StateSpacePtr &space, ompl::RNG &rng)
+        {
+            Waypoints states(space);
+            states.resize(1);
+            StateChart(space).sampleUniform(rng, states[0]);
+            return states;
+        }
+
+        class TreeGuideInSpace : public ::testing::TestWithParam<test::NamedSpace>
+        {
+        };
+
+        INSTANTIATE_TEST_SUITE_P(Planner, TreeGuideInSpace, ::testing::ValuesIn(test::supportedSpaces()),
+                                 test::SpaceName());
+
+        /* A tenth of the states, by the first of their coordinates that the space projects, is invalid: stripes. */
+        TEST_P(TreeGuideInSpace, FindsValidPathsFromStartToGoal)
+        {
+            const auto space = GetParam().make();
+            std::vector<double> values;
+            const auto valid = [&](const ob::State *state)
+            {
+                space->copyToReals(values, state);
+                return values.size() < 2 || std::abs(values[0] - 1.0) > 0.3 || std::abs(values[1]) > 0.8;
+            };
+            ompl::RNG rng(11);
+            int found = 0;
+            for (std::uint_fast32_t seed = 1; seed <= 5; ++seed)
+            {
+                Waypoints start = one(space, rng);
+                Waypoints goal = one(space, rng);
+                while (!valid(start[0]))
+                    start = one(space, rng);
+                while (!valid(goal[0]))
+                    goal = one(space, rng);
+                GuideQuery q(space, valid, start, goal);
+                TreeGuide trees(q.planner.get(), q.chart, q.evaluator, seed);
+                // and again: they restart
+                for (int i = 0; i < 3; ++i)
+                {
+                    ASSERT_TRUE(q.find(trees, ANY));
+                    q.expectPath();
+                    ++found;
+                }
+            }
+            EXPECT_EQ(found, 15);
+        }
+
+        /* R^2 where a motion to the right is three times as long as one to the left. */
+        class Windy : public ob::RealVectorStateSpace
+        {
+        public:
+            Windy()
+              : RealVectorStateSpace(2)
+            {
+                setBounds(-10.0, 10.0);
+                setup();
+            }
+
+            double distance(const ob::State *a, const ob::State *b) const override
+            {
+                const double straight = RealVectorStateSpace::distance(a, b);
+                return test::coordinate(b, 0) > test::coordinate(a, 0) ? 3.0 * straight : straight;
+            }
+
+            bool hasSymmetricDistance() const override
+            {
+                return false;
+            }
+        };
+
+        /* One way: motions across the middle are valid only to the right. */
+        class OneWay : public ob::MotionValidator
+        {
+        public:
+            using MotionValidator::MotionValidator;
+
+            bool checkMotion(const ob::State *from, const ob::State *to) const override
+            {
+                return test::coordinate(from, 0) <= 0.0 || test::coordinate(to, 0) >= 0.0;
+            }
+
+            bool checkMotion(const ob::State *from, const ob::State *to,
+                             std::pair<ob::State *, double> &) const override
+            {
+                return checkMotion(from, to);
+            }
+        };
+
+        TEST(TreeGuide, FollowsTheDirectionOfMotions)
+        {
+            const auto space = std::make_shared<Windy>();
+            const auto anywhere = [](const ob::State *) { return true; };
+            GuideQuery there(space, anywhere, test::planarPath(space, {{-8.0, 0.0}}),
+                             test::planarPath(space, {{8.0, 0.0}}));
+            GuideQuery back(space, anywhere, test::planarPath(space, {{8.0, 0.0}}),
+                            test::planarPath(space, {{-8.0, 0.0}}));
+            for (GuideQuery *q : {&there, &back})
+                q->si->setMotionValidator(std::make_shared<OneWay>(q->si));
+            TreeGuide treesThere(there.planner.get(), there.chart, there.evaluator, 1);
+            ASSERT_TRUE(there.find(treesThere, ANY));
+            there.expectPath();
+            TreeGuide treesBack(back.planner.get(), back.chart, back.evaluator, 1);
+            EXPECT_FALSE(back.find(treesBack, ANY, 20));
+        }
+
+        /* The plane with a wall 4.5 < x < 5.5 that leaves a gap above y = 6. */
+        class TreeGuideTest : public ::testing::Test
+        {
+        protected:
+            static bool isFree(const ob::State *s)
+            {
+                return test::coordinate(s, 0) <= 4.5 || test::coordinate(s, 0) >= 5.5 || test::coordinate(s, 1) >= 6.0;
+            }
+
+            std::unique_ptr<GuideQuery> query(const std::vector<std::pair<double, double>> &starts,
+                                              const std::vector<std::pair<double, double>> &goals) const
+            {
+                return std::make_unique<GuideQuery>(space_, isFree, test::planarPath(space_, starts),
+                                                    test::planarPath(space_, goals));
+            }
+
+            ob::StateSpacePtr space_ = test::realVectorSpace(2, 0.0, 10.0);
+        };
+
+        TEST_F(TreeGuideTest, JoinsAnyOfTheStartsWithAnyOfTheGoals)
+        {
+            const auto q = query({{1.0, 6.5}, {1.0, 9.5}}, {{9.0, 6.5}, {9.0, 9.5}});
+            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            std::vector<int> starts(2, 0);
+            std::vector<int> goals(2, 0);
+            for (int i = 0; i < 100; ++i)
+            {
+                ASSERT_TRUE(q->find(trees, ANY));
+                q->expectPath();
+                ++starts[q->si->equalStates(q->path.front(), q->query.starts()[0]) ? 0 : 1];
+                ++goals[q->si->equalStates(q->path.back(), q->query.goals()[0]) ? 0 : 1];
+            }
+            for (const int count : {starts[0], starts[1], goals[0], goals[1]})
+                EXPECT_GT(count, 5);
+        }
+
+        /* The near goal can be seen from the start: trees with a root there would always end there. */
+        TEST_F(TreeGuideTest, GrowsFromNoGoalThatCannotBeOnABetterPath)
+        {
+            const auto q = query({{1.0, 1.0}}, {{1.0, 9.9}, {9.0, 1.0}});
+            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            // to the first goal it is 8.9, to the second at the least 8, and 13.2 around the wall
+            ASSERT_FALSE(q->find(trees, 8.5, 20));
+            SearchGraph graph(space_);
+            trees.explain(graph);
+            ASSERT_EQ(graph.goals.size(), 1U);
+            EXPECT_TRUE(q->si->equalStates(graph.states[graph.goals[0]], q->query.goals()[1]));
+            EXPECT_EQ(graph.starts.size(), 1U);
+        }
+
+        TEST_F(TreeGuideTest, KeepsWithinTheInformedSet)
+        {
+            const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
+            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            constexpr double BOUND = 14.0;
+            for (int i = 0; i < 10; ++i)
+            {
+                ASSERT_TRUE(q->find(trees, BOUND));
+                SearchGraph graph(space_);
+                trees.explain(graph);
+                for (std::size_t v = 0; v < graph.states.size(); ++v)
+                {
+                    EXPECT_LT(space_->distance(q->query.starts()[0], graph.states[v]) +
+                                  space_->distance(graph.states[v], q->query.goals()[0]),
+                              BOUND);
+                }
+            }
+            // where nothing can be better there is nothing to grow
+            TreeGuide others(q->planner.get(), q->chart, q->evaluator, 3);
+            q->counted.forget();
+            EXPECT_FALSE(q->find(others, 8.0, 3));
+            EXPECT_EQ(q->counted.motions, 0U);
+        }
+
+        TEST_F(TreeGuideTest, TheSeedDecidesThePath)
+        {
+            const auto run = [this](std::uint_fast32_t seed)
+            {
+                const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
+                TreeGuide trees(q->planner.get(), q->chart, q->evaluator, seed);
+                std::vector<double> costs;
+                for (int i = 0; i < 5; ++i)
+                {
+                    EXPECT_TRUE(q->find(trees, 20.0));
+                    costs.push_back(q->path.length());
+                }
+                return costs;
+            };
+            EXPECT_EQ(run(5), run(5));
+            EXPECT_NE(run(5), run(6));
+        }
+
+        TEST_F(TreeGuideTest, StopsWithTheConditionAndGoesOn)
+        {
+            const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
+            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            int interrupted = 0;
+            for (int calls = 0;; ++calls)
+            {
+                int asked = 0;
+                q->evaluator.setStopCondition([&asked, calls] { return ++asked > calls; });
+                q->counted.forget();
+                const bool found = trees.advance(q->query, ANY, 1000000, q->path);
+                EXPECT_LE(q->counted.motions, static_cast<std::uint64_t>(calls) + 1);
+                const bool stopped = q->evaluator.interrupted();
+                q->evaluator.setStopCondition({});
+                if (found)
+                {
+                    q->expectPath();
+                    break;
+                }
+                EXPECT_TRUE(stopped);
+                ++interrupted;
+            }
+            EXPECT_GT(interrupted, 0);
+        }
+
+        TEST_F(TreeGuideTest, WorksNoMoreThanItIsAllowed)
+        {
+            const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
+            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            for (int turn = 0; turn < 20; ++turn)
+            {
+                const std::uint64_t before = q->evaluator.work();
+                trees.advance(q->query, ANY, 100, q->path);
+                // one iteration may follow the other tree across the plane
+                EXPECT_LT(q->evaluator.work() - before, 1000U);
+            }
+        }
+
+        TEST_F(TreeGuideTest, ExplainsTheTreesThatFoundThePath)
+        {
+            const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
+            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            SearchGraph before(space_);
+            trees.explain(before);
+            EXPECT_TRUE(before.states.empty());
+            ASSERT_TRUE(q->find(trees, ANY));
+            // it appends to what others have explained
+            SearchGraph graph(space_);
+            graph.states.append(q->query.starts()[0]);
+            trees.explain(graph);
+            ASSERT_EQ(graph.starts.size(), 1U);
+            ASSERT_EQ(graph.goals.size(), 1U);
+            EXPECT_TRUE(q->si->equalStates(graph.states[graph.starts[0]], q->query.starts()[0]));
+            EXPECT_TRUE(q->si->equalStates(graph.states[graph.goals[0]], q->query.goals()[0]));
+            for (const auto &[from, to] : graph.edges)
+            {
+                EXPECT_TRUE(q->si->isValid(graph.states[to]));
+                EXPECT_TRUE(q->si->checkMotion(graph.states[from], graph.states[to]));
+            }
+            // every motion of the path is one of its edges
+            for (std::size_t i = 1; i < q->path.size(); ++i)
+            {
+                bool known = false;
+                for (const auto &[from, to] : graph.edges)
+                    known = known || (q->si->equalStates(graph.states[from], q->path[i - 1]) &&
+                                      q->si->equalStates(graph.states[to], q->path[i]));
+                EXPECT_TRUE(known) << i;
+            }
+        }
+    }  // namespace
+}  // namespace ompl_mfa
