@@ -42,6 +42,26 @@ namespace ompl_mfa
                 data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
             }
         }
+
+        /* Adds what a guide knows. */
+        void addGraph(const SearchGraph &graph, States &starts, States &goals, ob::PlannerData &data)
+        {
+            States states = graph.states.pointers();
+            for (const std::size_t i : graph.starts)
+            {
+                states[i] = shared(*graph.states.space(), starts, states[i]);
+                data.addStartVertex(ob::PlannerDataVertex(states[i]));
+            }
+            for (const std::size_t i : graph.goals)
+            {
+                states[i] = shared(*graph.states.space(), goals, states[i]);
+                data.addGoalVertex(ob::PlannerDataVertex(states[i]));
+            }
+            for (const ob::State *state : states)
+                data.addVertex(ob::PlannerDataVertex(state));
+            for (const auto &[from, to] : graph.edges)
+                data.addEdge(ob::PlannerDataVertex(states[from]), ob::PlannerDataVertex(states[to]));
+        }
     }  // namespace
 
     void MFA::getPlannerData(ob::PlannerData &data) const
@@ -72,6 +92,12 @@ namespace ompl_mfa
         States goals;
         for (const Waypoints &path : paths)
             addPath(path, starts, goals, data);
+        SearchGraph graph(si_->getStateSpace());
+        if (trees_)
+            trees_->explain(graph);
+        if (roadmap_)
+            roadmap_->explain(graph);
+        addGraph(graph, starts, goals, data);
         // the search goes on, and what it has now may be gone when the caller looks
         data.decoupleFromPlanner();
     }

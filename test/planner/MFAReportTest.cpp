@@ -73,6 +73,19 @@ namespace ompl_mfa
             }
         }
 
+        TEST_P(Report, PlannerDataShowTheRoadmapThatFoundThePath)
+        {
+            if (GetParam() == test::Engine::Paper)
+                GTEST_SKIP() << "the paper's algorithm has no roadmap";
+            test::set(*planner_, "guide", "roadmap");
+            planner_->solve(test::untilExact(problem_->pdef));
+            planner_->solve(test::afterCalls(20000));
+            planner_->getPlannerData(data_);
+            // fireflies and the best path have a few dozen states each
+            EXPECT_GT(data_.numVertices(), 500U);
+            EXPECT_GT(data_.numEdges(), 50U);
+        }
+
         TEST_P(Report, TheSolutionIsAWayThroughThePlannerData)
         {
             ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
