@@ -154,6 +154,9 @@ namespace ompl_mfa
             EXPECT_TRUE(planner_->getSwarmPaths().empty());
             EXPECT_TRUE(planner_->getSlicePaths().empty());
             planner_->solve(test::afterCalls(200000));
+            // a swarm of a new window has yet to be placed
+            for (unsigned int i = 0; i < 50 && planner_->getSwarmPaths().empty(); ++i)
+                planner_->solve(test::afterCalls(1000));
             auto paths = planner_->getSwarmPaths();
             ASSERT_FALSE(paths.empty());
             const auto &space = problem_->si->getStateSpace();

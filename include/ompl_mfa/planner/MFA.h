@@ -103,7 +103,8 @@ namespace ompl_mfa
             (the default) is none. Takes effect as the parameters do. */
         void setGuidePlanner(const ompl::base::PlannerAllocator &allocator);
 
-        /** \brief The fireflies' paths as they are now, brightest first; empty before solve(). */
+        /** \brief The fireflies' paths as they are now, brightest first; empty before solve() and while a new swarm is
+            being placed. */
         std::vector<ompl::geometric::PathGeometric> getSwarmPaths() const;
 
         /** \brief The slices of the swarm's frame as pairs of states, a pair for each lateral coordinate: where the
