@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -48,6 +49,7 @@ namespace ompl_mfa
 
     CostBounds::CostBounds(const ob::SpaceInformationPtr &si, ob::OptimizationObjectivePtr objective)
       : objective_(std::move(objective))
+      , guard_(si->getStateSpace())
       , certain_(isExactly<ob::PathLengthOptimizationObjective>(*objective_) &&
                  obeysTriangleInequality(*si->getStateSpace()))
     {
@@ -74,7 +76,7 @@ namespace ompl_mfa
 
     void CostBounds::observePath(const ob::State *from, const ob::State *to, ob::Cost cost)
     {
-        if (certain_ || !admissible_ || !beats(cost, objective_->motionCostHeuristic(from, to)))
+        if (certain_ || !admissible_ || !beats(cost, ob::Cost(motionBound(from, to))))
             return;
         admissible_ = false;
         OMPL_INFORM(
@@ -83,20 +85,30 @@ namespace ompl_mfa
             cost.value());
     }
 
+    /* No number where OMPL cannot compute the motion, on whose length the objective's answer may rest. */
+    double CostBounds::motionBound(const ob::State *from, const ob::State *to) const
+    {
+        return guard_.computes(from, to) ? objective_->motionCostHeuristic(from, to).value()
+                                         : std::numeric_limits<double>::quiet_NaN();
+    }
+
     double CostBounds::combine(double to, double from) const
     {
+        // an objective that takes the better or the worse of two costs might lose what is no number
+        if (std::isnan(to) || std::isnan(from))
+            return std::numeric_limits<double>::quiet_NaN();
         return objective_->combineCosts(ob::Cost(to), ob::Cost(from)).value();
     }
 
     double CostBounds::lowerBoundTo(const ob::State *start, const ob::State *state) const
     {
-        const double motions = objective_->motionCostHeuristic(start, state).value();
+        const double motions = motionBound(start, state);
         return certain_ ? motions : combine(objective_->initialCost(start).value(), motions);
     }
 
     double CostBounds::lowerBoundFrom(const ob::State *state, const ob::State *goal) const
     {
-        const double motions = objective_->motionCostHeuristic(state, goal).value();
+        const double motions = motionBound(state, goal);
         return certain_ ? motions : combine(motions, objective_->terminalCost(goal).value());
     }
 

@@ -30,6 +30,7 @@ namespace ompl_mfa
                                  unsigned int threads)
       : si_(std::move(si))
       , objective_(std::move(objective))
+      , guard_(si_->getStateSpace())
       , bounds_(si_, objective_)
       , parallel_(threads > 1 ? std::make_unique<ParallelChecks>(si_, threads) : nullptr)
       , scratch_(si_->allocState())
@@ -58,6 +59,11 @@ namespace ompl_mfa
         {
             cost = objective_->infiniteCost();
             return false;
+        }
+        if (!guard_.allows(from, to))
+        {
+            cost = objective_->infiniteCost();
+            return true;
         }
         cost = number(objective_->motionCost(from, to), "motion cost");
         bounds_.observeMotion(from, to, cost);
@@ -112,7 +118,7 @@ namespace ompl_mfa
 
     bool PathEvaluator::checkMotion(const ob::State *from, const ob::State *to)
     {
-        if (stopped())
+        if (stopped() || !guard_.allows(from, to))
             return false;
         const bool valid = parallel_ ? parallel_->checkMotion({from, to}) : si_->checkMotion(from, to);
         checks_ += motionWork(*si_, {from, to}, valid);
@@ -121,7 +127,7 @@ namespace ompl_mfa
 
     bool PathEvaluator::screenMotion(const ob::State *from, const ob::State *to, unsigned int stride)
     {
-        if (stopped())
+        if (stopped() || !guard_.allows(from, to))
             return false;
         const unsigned int most = si_->getStateSpace()->validSegmentCount(from, to) / stride;
         unsigned int count = 1;
@@ -164,13 +170,27 @@ namespace ompl_mfa
             return false;
         if (i == 0)
             checked_ = 0;
+        if (!guard_.allows(motions_[i].from, motions_[i].to))
+        {
+            checked_ = i + 1;
+            return false;
+        }
         if (i == checked_)
         {
             valid_.resize(motions_.size());
-            checked_ += parallel_->checkMotions(&motions_[i], motions_.size() - i, &valid_[i]);
+            checked_ += parallel_->checkMotions(&motions_[i], allowedFrom(i), &valid_[i]);
         }
         checks_ += motionWork(*si_, motions_[i], valid_[i] != 0);
         return valid_[i] != 0;
+    }
+
+    /* The number of motions from the i-th on before one that OMPL cannot compute. */
+    std::size_t PathEvaluator::allowedFrom(std::size_t i) const
+    {
+        const auto first = motions_.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto refused = std::find_if(
+            first, motions_.end(), [this](const Motion &motion) { return !guard_.allows(motion.from, motion.to); });
+        return static_cast<std::size_t>(refused - first);
     }
 
     bool PathEvaluator::checkAll()
@@ -202,6 +222,8 @@ namespace ompl_mfa
 
     bool PathEvaluator::checkBetween(const Motion &motion)
     {
+        if (!guard_.allows(motion.from, motion.to))
+            return false;
         const auto &space = si_->getStateSpace();
         const unsigned int states = space->validSegmentCount(motion.from, motion.to);
         for (unsigned int j = 0; j < states; ++j)
@@ -273,7 +295,8 @@ namespace ompl_mfa
                 return {};
             if (partialPath_ && result.violation == 0.0)
                 reportPartialPath(path, i);
-            result.violation += invalidLength(path[i], path[i + 1]);
+            // a motion that only the motion validator finds invalid still counts
+            result.violation += invalidLength({path[i], path[i + 1]}, 1, 1);
             if (rival != nullptr && result.violation > rival->violation)
                 return {};
         }
@@ -284,8 +307,11 @@ namespace ompl_mfa
     {
         si_->copyState(scratch_, path[motion]);
         std::pair<ob::State *, double> lastValid(scratch_, 0.0);
-        checks_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
-        si_->checkMotion(path[motion], path[motion + 1], lastValid);
+        if (guard_.allows(path[motion], path[motion + 1]))
+        {
+            checks_ += si_->getStateSpace()->validSegmentCount(path[motion], path[motion + 1]);
+            si_->checkMotion(path[motion], path[motion + 1], lastValid);
+        }
         partialPath_(path, motion, scratch_);
     }
 
@@ -305,11 +331,16 @@ namespace ompl_mfa
         return invalid;
     }
 
-    double PathEvaluator::invalidLength(const ob::State *from, const ob::State *to)
+    /* The part of the motion's length that is invalid, by one state in \e stride, of which at least \e least are taken
+       to be invalid; all of it where OMPL cannot compute the motion. */
+    double PathEvaluator::invalidLength(const Motion &motion, unsigned int stride, unsigned int least)
     {
-        const unsigned int count = std::max(1U, si_->getStateSpace()->validSegmentCount(from, to));
-        // a motion that only the motion validator finds invalid still counts
-        return si_->distance(from, to) * std::max(1U, countInvalid(from, to, count)) / count;
+        if (!guard_.allows(motion.from, motion.to))
+            return guard_.distance(motion.from, motion.to);
+        const unsigned int count =
+            std::max(1U, si_->getStateSpace()->validSegmentCount(motion.from, motion.to) / stride);
+        const unsigned int invalid = std::max(least, countInvalid(motion.from, motion.to, count));
+        return invalid > 0 ? si_->distance(motion.from, motion.to) * invalid / count : 0.0;
     }
 
     /* Adds to the violation what one state in \e stride tells of it, from motion \e first on and then those before;
@@ -326,14 +357,12 @@ namespace ompl_mfa
                 return false;
             }
             const std::size_t i = (first + k) % motions;
-            const unsigned int count =
-                std::max(1U, si_->getStateSpace()->validSegmentCount(path[i], path[i + 1]) / stride);
-            const unsigned int invalid = countInvalid(path[i], path[i + 1], count);
-            if (invalid == 0)
+            const double length = invalidLength({path[i], path[i + 1]}, stride, 0);
+            if (length <= 0.0)
                 continue;
             if (result.violation == 0.0)
                 lastInvalid_ = i;
-            result.violation += si_->distance(path[i], path[i + 1]) * invalid / count;
+            result.violation += length;
             if (rival != nullptr && result.violation > rival->violation)
             {
                 result = {};

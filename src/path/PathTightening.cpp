@@ -175,11 +175,10 @@ namespace ompl_mfa
 
     PathTightening::Step PathTightening::firstStep(std::size_t i) const
     {
-        const auto &space = chart_->space();
         double spacing = smallestStep();
         if (i > 0 && i + 1 < path_.size())
             spacing = std::max(
-                spacing, std::min(space->distance(path_[i - 1], path_[i]), space->distance(path_[i], path_[i + 1])));
+                spacing, std::min(chart_->distance(path_[i - 1], path_[i]), chart_->distance(path_[i], path_[i + 1])));
         return Step(VertexSearch(chart_->dimension(),
                                  FIRST_STEP * spacing / std::sqrt(static_cast<double>(chart_->dimension()))));
     }
@@ -251,8 +250,8 @@ namespace ompl_mfa
         const bool toVertex = rng_.uniform01() < 0.5 || path_.size() >= MAX_VERTICES;
         if (fromVertex && toVertex && last == first + 1 && last == path_.size() - 1)
             return false;
-        space->interpolate(path_[first], path_[first + 1], fromVertex ? 0.0 : rng_.uniform01(), a_);
-        space->interpolate(path_[last], path_[last + 1], toVertex ? 1.0 : rng_.uniform01(), b_);
+        chart_->interpolate(path_[first], path_[first + 1], fromVertex ? 0.0 : rng_.uniform01(), a_);
+        chart_->interpolate(path_[last], path_[last + 1], toVertex ? 1.0 : rng_.uniform01(), b_);
         space->enforceBounds(a_);
         space->enforceBounds(b_);
         if (fromVertex)
@@ -330,10 +329,9 @@ namespace ompl_mfa
        is in its way. */
     bool PathTightening::hasMargin(std::size_t i, const ob::State *state)
     {
-        const auto &space = chart_->space();
-        const unsigned int segments = std::max(1U, space->validSegmentCount(path_[i - 1], state));
-        const double margin = MARGIN * space->distance(path_[i - 1], state) / segments;
-        const double step = space->distance(path_[i], state);
+        const unsigned int segments = std::max(1U, chart_->validSegmentCount(path_[i - 1], state));
+        const double margin = MARGIN * chart_->distance(path_[i - 1], state) / segments;
+        const double step = chart_->distance(path_[i], state);
         if (step <= 0.0)
             return false;
         chart_->difference(path_[i], state, beyondDelta_);
@@ -352,24 +350,24 @@ namespace ompl_mfa
 
     double PathTightening::smallestStep() const
     {
-        return 1e-6 * chart_->space()->distance(path_.front(), path_.back()) + 1e-12;
+        return 1e-6 * chart_->distance(path_.front(), path_.back()) + 1e-12;
     }
 
     bool PathTightening::pull(std::size_t i)
     {
         const auto &space = chart_->space();
-        const double before = space->distance(path_[i - 1], path_[i]);
-        const double after = space->distance(path_[i], path_[i + 1]);
+        const double before = chart_->distance(path_[i - 1], path_[i]);
+        const double after = chart_->distance(path_[i], path_[i + 1]);
         if (before + after <= 0.0)
             return false;
-        space->interpolate(path_[i - 1], path_[i + 1], before / (before + after), b_);
+        chart_->interpolate(path_[i - 1], path_[i + 1], before / (before + after), b_);
         space->enforceBounds(b_);
-        if (steps_[i].pull * space->distance(path_[i], b_) < smallestStep())
+        if (steps_[i].pull * chart_->distance(path_[i], b_) < smallestStep())
         {
             steps_[i].pull = std::min(1.0, 8.0 * steps_[i].pull);
             return false;
         }
-        space->interpolate(path_[i], b_, steps_[i].pull, a_);
+        chart_->interpolate(path_[i], b_, steps_[i].pull, a_);
         space->enforceBounds(a_);
         const bool success = replaceVertex(i, a_);
         steps_[i].pull = success ? std::min(1.0, 1.6 * steps_[i].pull) : 0.4 * steps_[i].pull;
@@ -414,14 +412,14 @@ namespace ompl_mfa
     bool PathTightening::pullPart(std::size_t i)
     {
         const auto &space = chart_->space();
-        const double before = space->distance(path_[i - 1], path_[i]);
-        const double after = space->distance(path_[i], path_[i + 1]);
+        const double before = chart_->distance(path_[i - 1], path_[i]);
+        const double after = chart_->distance(path_[i], path_[i + 1]);
         if (before + after <= 0.0 || chart_->dimension() < 2)
             return false;
         Step &step = steps_[i];
         if (!step.partWorked)
             selectPart(step);
-        space->interpolate(path_[i - 1], path_[i + 1], before / (before + after), b_);
+        chart_->interpolate(path_[i - 1], path_[i + 1], before / (before + after), b_);
         space->enforceBounds(b_);
         chart_->difference(path_[i], b_, delta_);
         delta_ = delta_.cwiseProduct(step.mask);
@@ -472,13 +470,12 @@ namespace ompl_mfa
     {
         if (path_.size() >= MAX_VERTICES || path_.size() < 3)
             return false;
-        const auto &space = chart_->space();
         std::size_t worst = 0;
-        double largest = 1e-6 * space->distance(path_.front(), path_.back());
+        double largest = 1e-6 * chart_->distance(path_.front(), path_.back());
         for (std::size_t i = 1; i + 1 < path_.size(); ++i)
         {
-            const double detour = space->distance(path_[i - 1], path_[i]) + space->distance(path_[i], path_[i + 1]) -
-                                  space->distance(path_[i - 1], path_[i + 1]);
+            const double detour = chart_->distance(path_[i - 1], path_[i]) + chart_->distance(path_[i], path_[i + 1]) -
+                                  chart_->distance(path_[i - 1], path_[i + 1]);
             if (detour > largest)
             {
                 largest = detour;
@@ -498,9 +495,9 @@ namespace ompl_mfa
         ob::Cost after;
         for (double part = 0.5; part > 0.01; part *= 0.4)
         {
-            space->interpolate(path_[i - 1], path_[i], 1.0 - part, a_);
+            chart_->interpolate(path_[i - 1], path_[i], 1.0 - part, a_);
             space->enforceBounds(a_);
-            space->interpolate(path_[i], path_[i + 1], part, b_);
+            chart_->interpolate(path_[i], path_[i + 1], part, b_);
             space->enforceBounds(b_);
             if (!evaluator_.motionCost(path_[i - 1], a_, before) || !evaluator_.motionCost(a_, b_, cut) ||
                 !evaluator_.motionCost(b_, path_[i + 1], after))

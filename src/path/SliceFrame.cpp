@@ -94,7 +94,7 @@ namespace ompl_mfa
         const Slice &slice = slices_[k];
         const Eigen::Index lateral = slice.basis.cols();
         // where a position has no bounds, the length of the axis decides how far it is searched
-        const double unbounded = 4.0 * std::max(1.0, chart_->space()->distance(axis_.front(), axis_.back()));
+        const double unbounded = 4.0 * std::max(1.0, chart_->distance(axis_.front(), axis_.back()));
         for (Eigen::Index i = 0; i < lateral; ++i)
         {
             const double up = chart_->reach(axis_[k + 1], slice.basis.col(i));
@@ -168,7 +168,7 @@ namespace ompl_mfa
             const double before = abscissa(path[j]);
             const double after = abscissa(path[j + 1]);
             const double fraction = before < 0.0 ? before / (before - after) : 0.0;
-            space->interpolate(path[j], path[j + 1], fraction, onSlices[k + 1]);
+            chart_->interpolate(path[j], path[j + 1], fraction, onSlices[k + 1]);
             space->enforceBounds(onSlices[k + 1]);
         }
         return true;

@@ -75,6 +75,7 @@ namespace ompl_mfa
 
     StateChart::StateChart(ob::StateSpacePtr space)
       : space_(std::move(space))
+      , guard_(space_)
     {
         std::vector<std::size_t> chain;
         addLeaves(space_, chain, 1.0);

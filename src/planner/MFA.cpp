@@ -8,6 +8,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
+#include "ompl_mfa/planner/GoalDistance.h"
 #include "ompl_mfa/planner/Streams.h"
 
 namespace ob = ompl::base;
@@ -322,7 +323,7 @@ namespace ompl_mfa
     void MFA::offerPartial(const Waypoints &path, std::size_t motion, const ob::State *lastValid)
     {
         double distance = 0.0;
-        query_->goal()->isSatisfied(lastValid, &distance);
+        isSatisfied(*query_->goal(), chart_->guard(), lastValid, &distance);
         if (distance >= incumbent_->partialDistance())
             return;
         // the piece of the motion up to the last valid state is discretised anew and may not be valid by itself

@@ -6,6 +6,8 @@
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Exception.h>
 
+#include "ompl_mfa/planner/GoalDistance.h"
+
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
@@ -107,6 +109,7 @@ namespace ompl_mfa
             KnownGoals(const ob::SpaceInformationPtr &si, ob::GoalPtr goal)
               : GoalStates(si)
               , goal_(std::move(goal))
+              , guard_(si->getStateSpace())
             {
                 if (goal_->hasType(ob::GOAL_REGION))
                     setThreshold(goal_->as<ob::GoalRegion>()->getThreshold());
@@ -115,22 +118,23 @@ namespace ompl_mfa
             double distanceGoal(const ob::State *state) const override
             {
                 double distance = 0.0;
-                goal_->isSatisfied(state, &distance);
+                isSatisfied(state, &distance);
                 return distance;
             }
 
             bool isSatisfied(const ob::State *state) const override
             {
-                return goal_->isSatisfied(state);
+                return isSatisfied(state, nullptr);
             }
 
             bool isSatisfied(const ob::State *state, double *distance) const override
             {
-                return goal_->isSatisfied(state, distance);
+                return ompl_mfa::isSatisfied(*goal_, guard_, state, distance);
             }
 
         private:
             ob::GoalPtr goal_;
+            DubinsGuard guard_;
         };
     }  // namespace
 
@@ -242,7 +246,7 @@ namespace ompl_mfa
         bool begins = false;
         for (std::size_t i = 0; i < query.starts().size(); ++i)
             begins = begins || space->equalStates(path.front(), query.starts()[i]);
-        if (!begins || !query.goal()->isSatisfied(path.back()))
+        if (!begins || !goals_->isSatisfied(path.back()))
             return false;
         for (std::size_t i = 0; i < path.size(); ++i)
         {

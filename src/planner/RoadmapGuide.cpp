@@ -43,7 +43,7 @@ namespace ompl_mfa
       , sample_(chart_->space()->allocState())
     {
         nearest_->setDistanceFunction([this](std::size_t a, std::size_t b)
-                                      { return chart_->space()->distance(graph_.state(a), graph_.state(b)); });
+                                      { return chart_->distance(graph_.state(a), graph_.state(b)); });
         renew();
     }
 

@@ -32,9 +32,9 @@ namespace ompl_mfa
             tree->nearest.reset(ompl::tools::SelfConfig::getDefaultNearestNeighbors<Vertex *>(planner));
         // distances are taken along the motions of each tree, away from the start or toward the goal
         startTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
-                                                { return chart_->space()->distance(a->state, b->state); });
+                                                { return chart_->distance(a->state, b->state); });
         goalTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
-                                               { return chart_->space()->distance(b->state, a->state); });
+                                               { return chart_->distance(b->state, a->state); });
     }
 
     TreeGuide::~TreeGuide()
@@ -97,10 +97,7 @@ namespace ompl_mfa
         }
         // nearest-neighbour structures take distances to be symmetric
         const auto distance = [&](const std::unique_ptr<Vertex> &vertex)
-        {
-            return fromStart ? chart_->space()->distance(vertex->state, state)
-                             : chart_->space()->distance(state, vertex->state);
-        };
+        { return fromStart ? chart_->distance(vertex->state, state) : chart_->distance(state, vertex->state); };
         evaluator_.addWork(tree.vertices.size());
         std::size_t best = 0;
         double bestDistance = distance(tree.vertices[0]);
@@ -122,13 +119,13 @@ namespace ompl_mfa
         Vertex *near = nearest(tree, target, fromStart);
         const ob::State *from = fromStart ? near->state : target;
         const ob::State *to = fromStart ? target : near->state;
-        const double distance = space->distance(from, to);
+        const double distance = chart_->distance(from, to);
         const bool reach = distance <= range_;
         if (reach)
             space->copyState(step_, target);
         else
         {
-            space->interpolate(from, to, fromStart ? range_ / distance : 1.0 - range_ / distance, step_);
+            chart_->interpolate(from, to, fromStart ? range_ / distance : 1.0 - range_ / distance, step_);
             space->enforceBounds(step_);
         }
         const bool valid = fromStart ? evaluator_.checkMotion(near->state, step_)

@@ -70,7 +70,7 @@ namespace ompl_mfa
     SliceFrame WindowSwarm::straightFrame(const StateChartPtr &chart, unsigned int slices) const
     {
         return SliceFrame::straight(chart, part_.front(), part_.back(), slices + 1,
-                                    reach(chart->space()->distance(part_.front(), part_.back())));
+                                    reach(chart->distance(part_.front(), part_.back())));
     }
 
     /* An axis through the vertices, with more of them where motions are long. */
@@ -83,14 +83,14 @@ namespace ompl_mfa
         axis.append(part_.front());
         for (std::size_t i = 1; i < part_.size(); ++i)
         {
-            const double distance = space->distance(part_[i - 1], part_[i]);
+            const double distance = chart->distance(part_[i - 1], part_[i]);
             const auto pieces =
                 spacing > 0.0 ? std::max(1U, static_cast<unsigned int>(std::lround(distance / spacing))) : 1U;
             for (unsigned int j = 1; j < pieces; ++j)
             {
                 axis.append(part_[i]);
                 auto *state = axis[axis.size() - 1];
-                space->interpolate(part_[i - 1], part_[i], static_cast<double>(j) / pieces, state);
+                chart->interpolate(part_[i - 1], part_[i], static_cast<double>(j) / pieces, state);
                 space->enforceBounds(state);
             }
             axis.append(part_[i]);

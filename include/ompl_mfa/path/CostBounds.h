@@ -4,6 +4,8 @@
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/SpaceInformation.h>
 
+#include "ompl_mfa/path/DubinsGuard.h"
+
 namespace ompl_mfa
 {
     /** \brief Lower bounds of costs, used for as long as nothing contradicts them.
@@ -70,9 +72,11 @@ namespace ompl_mfa
         }
 
     private:
+        double motionBound(const ompl::base::State *from, const ompl::base::State *to) const;
         bool beats(ompl::base::Cost cost, ompl::base::Cost bound) const;
 
         ompl::base::OptimizationObjectivePtr objective_;
+        DubinsGuard guard_;
         bool certain_;
         bool admissible_{true};
         bool monotone_{true};

@@ -13,6 +13,7 @@
 
 #include "ompl_mfa/optimizer/ObjectiveFunction.h"
 #include "ompl_mfa/path/CostBounds.h"
+#include "ompl_mfa/path/DubinsGuard.h"
 #include "ompl_mfa/path/Motion.h"
 #include "ompl_mfa/path/ParallelChecks.h"
 #include "ompl_mfa/path/Waypoints.h"
@@ -24,9 +25,10 @@ namespace ompl_mfa
         them than the answer needs.
 
         It counts its work in state checks, so that the work of the parts of a planner can be compared without a
-        clock. A cost that is not a number is an ompl::Exception, whoever computed it. Not thread-safe; each thread has
-       its own. With several threads of its own it checks states and motions in parallel, and nothing else: its answers,
-       its work and when it asks the stop condition are those of one. */
+        clock. A cost that is not a number is an ompl::Exception, whoever computed it. A motion that OMPL cannot compute
+        (see DubinsGuard) is invalid and of infinite cost. Not thread-safe; each thread has its own. With several
+        threads of its own it checks states and motions in parallel, and nothing else: its answers, its work and when it
+        asks the stop condition are those of one. */
     class PathEvaluator
     {
     public:
@@ -176,6 +178,7 @@ namespace ompl_mfa
     private:
         ompl::base::Cost number(ompl::base::Cost cost, const char *what) const;
         bool checkNext(std::size_t i);
+        std::size_t allowedFrom(std::size_t i) const;
         bool checkAll();
         bool checkBetween(const Motion &motion);
         bool checkInside(const Motion &motion, unsigned int count);
@@ -183,10 +186,11 @@ namespace ompl_mfa
         bool addInvalidLengths(const Waypoints &path, std::size_t first, unsigned int stride, const Brightness *rival,
                                Brightness &result);
         unsigned int countInvalid(const ompl::base::State *from, const ompl::base::State *to, unsigned int count);
-        double invalidLength(const ompl::base::State *from, const ompl::base::State *to);
+        double invalidLength(const Motion &motion, unsigned int stride, unsigned int least);
 
         ompl::base::SpaceInformationPtr si_;
         ompl::base::OptimizationObjectivePtr objective_;
+        DubinsGuard guard_;
         CostBounds bounds_;
         std::vector<ompl::base::Cost> motionCosts_;
         StopCondition stop_;

@@ -12,6 +12,8 @@
 #include <ompl/base/StateSpace.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "ompl_mfa/path/DubinsGuard.h"
+
 namespace ompl_mfa
 {
     /** \brief Local coordinates of a state space: a vector of R^d for the step from one state to another, and back.
@@ -35,6 +37,29 @@ namespace ompl_mfa
         const ompl::base::StateSpacePtr &space() const
         {
             return space_;
+        }
+
+        /** \brief Which motions of the space OMPL can compute. The three below are its answers, for any pair of states.
+         */
+        const DubinsGuard &guard() const
+        {
+            return guard_;
+        }
+
+        double distance(const ompl::base::State *from, const ompl::base::State *to) const
+        {
+            return guard_.distance(from, to);
+        }
+
+        unsigned int validSegmentCount(const ompl::base::State *from, const ompl::base::State *to) const
+        {
+            return guard_.validSegmentCount(from, to);
+        }
+
+        void interpolate(const ompl::base::State *from, const ompl::base::State *to, double t,
+                         ompl::base::State *state) const
+        {
+            guard_.interpolate(from, to, t, state);
         }
 
         /** \brief d: the number of coordinates. */
@@ -125,6 +150,7 @@ namespace ompl_mfa
         static ompl::base::State *substate(const Leaf &leaf, ompl::base::State *state);
 
         ompl::base::StateSpacePtr space_;
+        DubinsGuard guard_;
         std::vector<Leaf> leaves_;
         Eigen::Index positions_{0};
         Eigen::Index rotations_{0};

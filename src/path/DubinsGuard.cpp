@@ -1,0 +1,268 @@
+#include "ompl_mfa/path/DubinsGuard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <ompl/base/spaces/DubinsStateSpace.h>
+
+#include "ompl_mfa/path/Waypoints.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr double TWO_PI = boost::math::constants::two_pi<double>();
+        /* OMPL takes an angle that is short of a full turn by less than 5e-7 rad for 0: here with room for the rounding
+           of the numbers that it is compared with. */
+        constexpr double ROUNDED = 1.02 * 5e-7;
+        /* By how much the end of a curve may be missed, in turning radii: half of what OMPL asserts. */
+        constexpr double LARGEST_MISS = 1e-6;
+        /* Distance in turning radii beyond which the rounding of doubles alone breaks the assertions. */
+        constexpr double FARTHEST = 1e8;
+        /* Angle (rad) by which a heading is turned, and how many multiples of it are tried on either side. */
+        constexpr double TURN = 2e-6;
+        constexpr int TURNS = 8;
+
+        using Pose = ob::SE2StateSpace::StateType;
+
+        /* The turning radius has no accessor. */
+        struct TurningRadius : ob::DubinsStateSpace
+        {
+            static double of(const ob::DubinsStateSpace &space)
+            {
+                return space.*(&TurningRadius::rho_);
+            }
+        };
+
+        /* By how many turning radii a line through one pose misses a circle at another, and how far ahead on it. */
+        struct Tangent
+        {
+            double miss;
+            double ahead;
+        };
+
+        /* The first turn of a curve is rounded to nothing where the line straight ahead nearly touches a circle at its
+           end. */
+        bool missesEnd(const Tangent &tangent)
+        {
+            const double miss = std::abs(tangent.miss);
+            return miss > LARGEST_MISS && miss < ROUNDED * tangent.ahead;
+        }
+
+        /* The same for a curve that begins on the straight piece of one that ends in a small turn: its end then lies by
+           1 - cos of the turn beside the line ahead, and the other circle there by twice as much. The bounds have room
+           for the difference of the turn and its sine. */
+        bool partsMissEnd(const Tangent &back)
+        {
+            const double turn = back.miss / back.ahead;
+            const double miss = turn * turn;
+            return back.ahead > 0.0 && miss > 0.9 * LARGEST_MISS && miss < 2.2 * ROUNDED * (back.ahead + 1.0);
+        }
+
+        /* Two poses, in turning radii and in the frame whose x axis leads from one position to the other. */
+        class PosePair
+        {
+        public:
+            PosePair(const Pose &from, const Pose &to, double radius)
+            {
+                const double dx = to.getX() - from.getX();
+                const double dy = to.getY() - from.getY();
+                const double length = std::sqrt(dx * dx + dy * dy);
+                const double x = length > 0.0 ? dx / length : 1.0;
+                const double y = length > 0.0 ? dy / length : 0.0;
+                const double fromX = std::cos(from.getYaw());
+                const double fromY = std::sin(from.getYaw());
+                const double toX = std::cos(to.getYaw());
+                const double toY = std::sin(to.getYaw());
+                distance_ = length / radius;
+                cosFirst_ = x * fromX + y * fromY;
+                sinFirst_ = x * fromY - y * fromX;
+                cosLast_ = x * toX + y * toY;
+                sinLast_ = x * toY - y * toX;
+                bend_ = 1.0 - (fromX * toX + fromY * toY);
+                shift_ = fromY * toX - fromX * toY;
+            }
+
+            /* Whether OMPL can compute the curves from the first to the second. */
+            bool curvesExist() const
+            {
+                // a heading a little to the right of the direction to the end is itself taken for that
+                const bool rounded = cosFirst_ > 0.0 && sinFirst_ < 0.0 && sinFirst_ > -ROUNDED;
+                if (!(distance_ < FARTHEST) || (rounded && -sinFirst_ * distance_ > LARGEST_MISS))
+                    return false;
+                const double sinFirst = rounded ? 0.0 : sinFirst_;
+                const double across = distance_ * sinFirst;
+                const double ahead = distance_ * cosFirst_;
+                return !losesBothTurns(sinFirst) && !missesEnd({across + bend_, ahead + shift_}) &&
+                       !missesEnd({across - bend_, ahead - shift_});
+            }
+
+            /* Whether OMPL can compute those from states on the curves to their end. */
+            bool partsExist() const
+            {
+                const double across = distance_ * sinLast_;
+                const double ahead = distance_ * cosLast_;
+                return !partsMissEnd({across - bend_, ahead + shift_}) &&
+                       !partsMissEnd({across + bend_, ahead - shift_});
+            }
+
+        private:
+            /* Whether the first and the last turn of a curve that turns left at both ends may both be rounded, which
+               changes its last heading by more than OMPL accepts. */
+            bool losesBothTurns(double sinFirst) const
+            {
+                return cosFirst_ > 0.0 && cosLast_ > 0.0 && std::abs(sinFirst) < 2.0 * ROUNDED &&
+                       std::abs(sinLast_) < 2.0 * ROUNDED && sinFirst - sinLast_ > 0.95 * ROUNDED;
+            }
+
+            double distance_;
+            double cosFirst_;  ///< of the angle from the direction of the second position to the heading
+            double sinFirst_;
+            double cosLast_;
+            double sinLast_;
+            double bend_;   ///< 1 - cos of the angle between the headings
+            double shift_;  ///< sin of the first heading less the last
+        };
+
+        template <typename State>
+        State *substate(const std::vector<std::size_t> &chain, State *state)
+        {
+            for (const std::size_t i : chain)
+                state = state->template as<ob::CompoundState>()->components[i];
+            return state;
+        }
+
+        /* Turns the first pose by as little as lets OMPL compute the curves from it to the second. */
+        bool turn(Pose &from, const Pose &to, double radius)
+        {
+            const double yaw = from.getYaw();
+            for (int k = 0; k <= 2 * TURNS; ++k)
+            {
+                from.setYaw(std::remainder(yaw + (k % 2 == 0 ? -TURN : TURN) * ((k + 1) / 2), TWO_PI));
+                if (PosePair(from, to, radius).curvesExist())
+                    return true;
+            }
+            return false;
+        }
+    }  // namespace
+
+    /* Copies of the ends of a motion whose headings are turned by as little as makes it one that OMPL can compute. */
+    class DubinsGuard::TurnedMotion
+    {
+    public:
+        TurnedMotion(const DubinsGuard &guard, const ob::State *from, const ob::State *to)
+          : ends_(guard.space_)
+        {
+            ends_.append(from);
+            ends_.append(to);
+            for (const Curve &curve : guard.curves_)
+            {
+                auto &first = *substate(curve.chain, ends_[0])->as<Pose>();
+                auto &last = *substate(curve.chain, ends_[1])->as<Pose>();
+                exists_ =
+                    exists_ && turn(first, last, curve.radius) && (!curve.symmetric || turn(last, first, curve.radius));
+            }
+            // turning one end may have undone what the other was turned for
+            exists_ = exists_ && guard.allCurvesExist(ends_[0], ends_[1]);
+        }
+
+        bool exists() const
+        {
+            return exists_;
+        }
+
+        const ob::State *from() const
+        {
+            return ends_.front();
+        }
+
+        const ob::State *to() const
+        {
+            return ends_.back();
+        }
+
+    private:
+        Waypoints ends_;
+        bool exists_{true};
+    };
+
+    DubinsGuard::DubinsGuard(ob::StateSpacePtr space)
+      : space_(std::move(space))
+    {
+        std::vector<std::size_t> chain;
+        addCurves(space_, chain);
+    }
+
+    void DubinsGuard::addCurves(const ob::StateSpacePtr &space, std::vector<std::size_t> &chain)
+    {
+        if (const auto *dubins = dynamic_cast<const ob::DubinsStateSpace *>(space.get()))
+        {
+            curves_.push_back({chain, TurningRadius::of(*dubins), dubins->hasSymmetricDistance()});
+            return;
+        }
+        const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(space.get());
+        for (unsigned int i = 0; compound != nullptr && i < compound->getSubspaceCount(); ++i)
+        {
+            chain.push_back(i);
+            addCurves(compound->getSubspace(i), chain);
+            chain.pop_back();
+        }
+    }
+
+    /* Whether all curves have \e property, in both directions where OMPL computes them so. */
+    template <typename Property>
+    bool DubinsGuard::allCurves(const ob::State *from, const ob::State *to, Property property) const
+    {
+        return std::all_of(curves_.begin(), curves_.end(),
+                           [&](const Curve &curve)
+                           {
+                               const Pose &first = *substate(curve.chain, from)->as<Pose>();
+                               const Pose &last = *substate(curve.chain, to)->as<Pose>();
+                               return property(PosePair(first, last, curve.radius)) &&
+                                      (!curve.symmetric || property(PosePair(last, first, curve.radius)));
+                           });
+    }
+
+    bool DubinsGuard::allCurvesExist(const ob::State *from, const ob::State *to) const
+    {
+        return allCurves(from, to, [](const PosePair &pair) { return pair.curvesExist(); });
+    }
+
+    bool DubinsGuard::allPartsExist(const ob::State *from, const ob::State *to) const
+    {
+        return allCurves(from, to, [](const PosePair &pair) { return pair.curvesExist() && pair.partsExist(); });
+    }
+
+    double DubinsGuard::distance(const ob::State *from, const ob::State *to) const
+    {
+        if (computes(from, to))
+            return space_->distance(from, to);
+        const TurnedMotion turned(*this, from, to);
+        return turned.exists() ? space_->distance(turned.from(), turned.to()) : std::numeric_limits<double>::infinity();
+    }
+
+    unsigned int DubinsGuard::validSegmentCount(const ob::State *from, const ob::State *to) const
+    {
+        if (computes(from, to))
+            return space_->validSegmentCount(from, to);
+        const TurnedMotion turned(*this, from, to);
+        return turned.exists() ? space_->validSegmentCount(turned.from(), turned.to()) : 1;
+    }
+
+    void DubinsGuard::interpolate(const ob::State *from, const ob::State *to, double t, ob::State *state) const
+    {
+        if (computes(from, to))
+            return space_->interpolate(from, to, t, state);
+        const TurnedMotion turned(*this, from, to);
+        if (turned.exists())
+            return space_->interpolate(turned.from(), turned.to(), t, state);
+        // no curve leads from one to the other: the nearer end stands for what lies between
+        space_->copyState(state, t < 0.5 ? from : to);
+    }
+}  // namespace ompl_mfa
