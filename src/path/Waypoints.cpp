@@ -28,6 +28,11 @@ namespace ompl_mfa
     {
         if (this == &other)
             return *this;
+        if (space_ != other.space_)
+        {
+            freeStates();
+            space_ = other.space_;
+        }
         resize(other.size_);
         for (std::size_t i = 0; i < size_; ++i)
             space_->copyState(states_[i], other.states_[i]);
@@ -36,15 +41,23 @@ namespace ompl_mfa
 
     Waypoints &Waypoints::operator=(Waypoints &&other) noexcept
     {
-        std::swap(states_, other.states_);
+        space_.swap(other.space_);
+        states_.swap(other.states_);
         std::swap(size_, other.size_);
         return *this;
     }
 
     Waypoints::~Waypoints()
     {
+        freeStates();
+    }
+
+    void Waypoints::freeStates()
+    {
         for (auto *state : states_)
             space_->freeState(state);
+        states_.clear();
+        size_ = 0;
     }
 
     std::vector<const ompl::base::State *> Waypoints::pointers() const

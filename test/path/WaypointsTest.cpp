@@ -1,10 +1,14 @@
 #include "ompl_mfa/path/Waypoints.h"
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <rapidcheck/gtest.h>
 
 #include <ompl/geometric/PathGeometric.h>
 
@@ -150,6 +154,102 @@ namespace ompl_mfa
             path.resize(3);
             path.reverse();
             EXPECT_EQ(values(path), (std::vector<double>{2.0, 1.0, 0.0}));
+        }
+
+        TEST_F(WaypointsTest, AnAssignedPathHasTheSpaceOfItsOriginal)
+        {
+            // states of different sizes: copied in the wrong space, a part of them would be lost
+            const auto plane = test::realVectorSpace(2);
+            Waypoints planar = test::planarPath(plane, {{1.0, 2.0}, {3.0, 4.0}});
+            Waypoints path = make({5.0, 6.0, 7.0});
+            path = planar;
+            EXPECT_EQ(path.space(), plane);
+            ASSERT_EQ(path.size(), 2U);
+            for (std::size_t i = 0; i < 2; ++i)
+                EXPECT_TRUE(plane->equalStates(path[i], planar[i]));
+            Waypoints moved = make({5.0, 6.0, 7.0});
+            moved = std::move(planar);
+            EXPECT_EQ(moved.space(), plane);
+            ASSERT_EQ(moved.size(), 2U);
+            EXPECT_TRUE(plane->equalStates(moved[1], path[1]));
+            // what was there is freed in its own space, and either can be filled again
+            moved.resize(5);
+            planar = make({8.0, 9.0});
+            EXPECT_EQ(values(planar), (std::vector<double>{8.0, 9.0}));
+        }
+
+        /* A path against a std::vector of the same values, under random changes. */
+        RC_GTEST_PROP(WaypointsProperty, BehaveLikeAVector, ())
+        {
+            const auto space = test::realVectorSpace(1, -1e6, 1e6);
+            Waypoints path(space);
+            Waypoints other(space);
+            std::vector<double> model;
+            std::vector<double> otherModel;
+            ob::ScopedState<ob::RealVectorStateSpace> state(space);
+            const auto steps = *rc::gen::inRange(1, 60);
+            for (int step = 0; step < steps; ++step)
+            {
+                const auto size = static_cast<std::ptrdiff_t>(model.size());
+                const auto position = *rc::gen::inRange<std::ptrdiff_t>(0, size + 1);
+                state[0] = *rc::gen::inRange(-1000, 1000);
+                switch (*rc::gen::inRange(0, 10))
+                {
+                    case 0:
+                    case 1:
+                        path.append(state.get());
+                        model.push_back(state[0]);
+                        break;
+                    case 2:
+                        path.insert(static_cast<std::size_t>(position), state.get());
+                        model.insert(model.begin() + position, state[0]);
+                        break;
+                    case 3:
+                    {
+                        const auto last = *rc::gen::inRange<std::ptrdiff_t>(position, size + 1);
+                        path.erase(static_cast<std::size_t>(position), static_cast<std::size_t>(last));
+                        model.erase(model.begin() + position, model.begin() + last);
+                        break;
+                    }
+                    case 4:
+                        path.reverse();
+                        std::reverse(model.begin(), model.end());
+                        break;
+                    case 5:
+                        path.resize(static_cast<std::size_t>(position));
+                        model.resize(static_cast<std::size_t>(position));
+                        break;
+                    case 6:
+                        other = path;
+                        otherModel = model;
+                        break;
+                    case 7:
+                        std::swap(path, other);
+                        std::swap(model, otherModel);
+                        break;
+                    case 8:
+                        other = Waypoints(path);
+                        otherModel = model;
+                        break;
+                    default:
+                        if (size > 0)
+                        {
+                            // a state of the path itself
+                            const std::size_t i = static_cast<std::size_t>(std::min(position, size - 1));
+                            path.append(path[i]);
+                            model.push_back(model[i]);
+                        }
+                        break;
+                }
+                RC_ASSERT(path.size() == model.size());
+                RC_ASSERT(path.empty() == model.empty());
+                RC_ASSERT(values(path) == model);
+                RC_ASSERT(values(other) == otherModel);
+                double length = 0.0;
+                for (std::size_t i = 1; i < model.size(); ++i)
+                    length += std::abs(model[i] - model[i - 1]);
+                RC_ASSERT(path.length() == length);
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa

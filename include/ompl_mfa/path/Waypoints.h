@@ -24,7 +24,9 @@ namespace ompl_mfa
         explicit Waypoints(ompl::base::StateSpacePtr space);
         Waypoints(const Waypoints &other);
         Waypoints(Waypoints &&other) noexcept;
+        /** \brief Copies the states of \e other, in its space. */
         Waypoints &operator=(const Waypoints &other);
+        /** \brief Takes the states of \e other and its space; \e other is left with those that were here. */
         Waypoints &operator=(Waypoints &&other) noexcept;
         ~Waypoints();
 
@@ -63,7 +65,7 @@ namespace ompl_mfa
             return space_;
         }
 
-        /** \brief The sum of the distances from state to state. */
+        /** \brief The sum of the distances from state to state; OMPL can compute the motions (see DubinsGuard). */
         double length() const;
 
         /** \brief The states as OMPL's callbacks take them; valid until the next change. */
@@ -93,6 +95,8 @@ namespace ompl_mfa
         void reverse();
 
     private:
+        void freeStates();
+
         ompl::base::StateSpacePtr space_;
         std::vector<ompl::base::State *> states_;
         std::size_t size_{0};
