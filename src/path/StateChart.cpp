@@ -110,12 +110,9 @@ namespace ompl_mfa
             }
             return;
         }
-        Leaf leaf{LeafType::RealVector, chain, static_cast<Eigen::Index>(space->getDimension()), 0, scale, {}, {}};
+        Leaf leaf{LeafType::RealVector, chain, static_cast<Eigen::Index>(space->getDimension()), 0, scale, nullptr};
         if (const auto *real = dynamic_cast<const ob::RealVectorStateSpace *>(space.get()))
-        {
-            leaf.low = real->getBounds().low;
-            leaf.high = real->getBounds().high;
-        }
+            leaf.bounds = &real->getBounds();
         else if (dynamic_cast<const ob::SO2StateSpace *>(space.get()) != nullptr)
             leaf.type = LeafType::SO2;
         else if (dynamic_cast<const ob::SO3StateSpace *>(space.get()) != nullptr)
@@ -127,6 +124,19 @@ namespace ompl_mfa
                                              "and compounds of these; discrete, time and constrained spaces are not");
         }
         leaves_.push_back(std::move(leaf));
+    }
+
+    std::vector<double> StateChart::bounds() const
+    {
+        std::vector<double> bounds;
+        for (const auto &leaf : leaves_)
+        {
+            if (leaf.type != LeafType::RealVector)
+                break;
+            bounds.insert(bounds.end(), leaf.bounds->low.begin(), leaf.bounds->low.end());
+            bounds.insert(bounds.end(), leaf.bounds->high.begin(), leaf.bounds->high.end());
+        }
+        return bounds;
     }
 
     const ob::State *StateChart::substate(const Leaf &leaf, const ob::State *state)
@@ -184,9 +194,9 @@ namespace ompl_mfa
                 const double step = direction[leaf.offset + i] / leaf.scale;
                 const auto k = static_cast<std::size_t>(i);
                 if (step > 0.0)
-                    reach = std::min(reach, std::max(0.0, leaf.high[k] - values[i]) / step);
+                    reach = std::min(reach, std::max(0.0, leaf.bounds->high[k] - values[i]) / step);
                 else if (step < 0.0)
-                    reach = std::min(reach, std::min(0.0, leaf.low[k] - values[i]) / step);
+                    reach = std::min(reach, std::min(0.0, leaf.bounds->low[k] - values[i]) / step);
             }
         }
         return reach;
@@ -210,8 +220,8 @@ namespace ompl_mfa
                     {
                         const auto k = static_cast<std::size_t>(i);
                         // the rounding of the shortened step must not leave the bounds either
-                        b[i] = std::clamp(a[i] + shortening * delta[leaf.offset + i] / leaf.scale, leaf.low[k],
-                                          leaf.high[k]);
+                        b[i] = std::clamp(a[i] + shortening * delta[leaf.offset + i] / leaf.scale, leaf.bounds->low[k],
+                                          leaf.bounds->high[k]);
                     }
                     break;
                 }
@@ -251,7 +261,8 @@ namespace ompl_mfa
             for (Eigen::Index i = 0; i < leaf.dimension; ++i)
             {
                 a[i] = values[leaf.offset + i] / leaf.scale;
-                if (a[i] < leaf.low[static_cast<std::size_t>(i)] || a[i] > leaf.high[static_cast<std::size_t>(i)])
+                const auto k = static_cast<std::size_t>(i);
+                if (a[i] < leaf.bounds->low[k] || a[i] > leaf.bounds->high[k])
                     return false;
             }
         }
@@ -265,8 +276,8 @@ namespace ompl_mfa
             if (leaf.type != LeafType::RealVector)
                 break;
             double *a = substate(leaf, state)->as<ob::RealVectorStateSpace::StateType>()->values;
-            for (std::size_t i = 0; i < leaf.low.size(); ++i)
-                a[i] = rng.uniformReal(leaf.low[i], leaf.high[i]);
+            for (std::size_t i = 0; i < leaf.bounds->low.size(); ++i)
+                a[i] = rng.uniformReal(leaf.bounds->low[i], leaf.bounds->high[i]);
         }
         sampleRotations(rng, state);
     }

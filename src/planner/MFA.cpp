@@ -109,7 +109,8 @@ namespace ompl_mfa
 
     void MFA::prepareQuery(const ob::PlannerTerminationCondition &ptc)
     {
-        if (evaluator_ && !query_->differsFrom(*pdef_) && bestPathHolds(ptc))
+        const std::vector<double> bounds = chart_->bounds();
+        if (evaluator_ && bounds == searchBounds_ && !query_->differsFrom(*pdef_) && bestPathHolds(ptc))
             return;
         if (evaluator_)
         {
@@ -134,6 +135,7 @@ namespace ompl_mfa
         prepareParts();
         // last: where the allocator of the guide planner throws, no query has begun
         query_->reset(*pdef_);
+        searchBounds_ = bounds;
     }
 
     ob::PlannerStatus::StatusType MFA::begin(const ob::PlannerTerminationCondition &ptc)

@@ -1,11 +1,15 @@
 #include "ompl_mfa/path/StateChart.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include <rapidcheck.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -333,6 +337,124 @@ namespace ompl_mfa
                 std::make_shared<ob::ProjectedStateSpace>(test::realVectorSpace(2), std::make_shared<UnitCircle>());
             circle->setName("circle");
             expectRefused(circle, "circle");
+        }
+
+        TEST(StateChart, ReadsTheBoundsAsTheyAre)
+        {
+            const auto space = test::realVectorSpace(2, 0.0, 10.0);
+            const StateChart chart(space);
+            EXPECT_EQ(chart.bounds(), (std::vector<double>{0.0, 0.0, 10.0, 10.0}));
+            ob::ScopedState<> base(space);
+            ob::ScopedState<> state(space);
+            base[0] = base[1] = 5.0;
+            EXPECT_DOUBLE_EQ(chart.reach(base.get(), Eigen::Vector2d(1.0, 0.0)), 5.0);
+            test::bounded(std::static_pointer_cast<ob::RealVectorStateSpace>(space), 2, 4.0, 25.0);
+            EXPECT_EQ(chart.bounds(), (std::vector<double>{4.0, 4.0, 25.0, 25.0}));
+            EXPECT_DOUBLE_EQ(chart.reach(base.get(), Eigen::Vector2d(1.0, 0.0)), 20.0);
+            chart.displace(base.get(), Eigen::Vector2d(15.0, -3.0), state.get());
+            EXPECT_DOUBLE_EQ(state[0], 10.0);
+            EXPECT_DOUBLE_EQ(state[1], 4.0);
+            EXPECT_TRUE(chart.setPositions(Eigen::Vector2d(20.0, 20.0), state.get()));
+            EXPECT_FALSE(chart.setPositions(Eigen::Vector2d(3.0, 20.0), state.get()));
+            ompl::RNG rng(3);
+            bool beyond = false;
+            for (int i = 0; i < 100; ++i)
+            {
+                chart.sampleUniform(rng, state.get());
+                ASSERT_TRUE(space->satisfiesBounds(state.get()));
+                beyond = beyond || state[0] > 10.0;
+            }
+            EXPECT_TRUE(beyond);
+        }
+
+        TEST(StateChart, TheBoundsOfAllLeavesAreListedInTheOrderOfTheCoordinates)
+        {
+            EXPECT_EQ(StateChart(test::nestedSpace()).bounds(),
+                      (std::vector<double>{-10.0, -10.0, 10.0, 10.0, -2.0, 4.0}));
+            EXPECT_TRUE(StateChart(test::so3Space()).bounds().empty());
+        }
+
+        /* A coordinate vector within the reach of the rotations; positions that may leave the bounds. */
+        Eigen::VectorXd anyCoordinates(const StateChart &chart, double size)
+        {
+            Eigen::VectorXd delta(chart.dimension());
+            for (Eigen::Index i = 0; i < delta.size(); ++i)
+                delta[i] = size * 1e-6 * *rc::gen::inRange(-1000000, 1000001);
+            for (std::size_t leaf = 0; leaf < chart.leaves(); ++leaf)
+            {
+                const auto [offset, dimension] = chart.leafRange(leaf);
+                if (offset < chart.positionDimension())
+                    continue;
+                // the logarithm is unique within a ball
+                const double reach = chart.rotationReach()[offset - chart.positionDimension()];
+                const double norm = delta.segment(offset, dimension).norm();
+                if (norm >= reach)
+                    delta.segment(offset, dimension) *= (1.0 - 1e-9) * reach / norm;
+            }
+            return delta;
+        }
+
+        /* A state anywhere, on the bounds and at the ends of the angles too, a quaternion of either sign. */
+        void setAnyState(const StateChart &chart, ob::State *state)
+        {
+            const auto &space = chart.space();
+            ompl::RNG rng(static_cast<std::uint_fast32_t>(*rc::gen::inRange(1, 1 << 30)));
+            chart.sampleUniform(rng, state);
+            if (*rc::gen::inRange(0, 4) == 0)
+            {
+                // as far as the bounds go
+                const Eigen::VectorXd direction = 1e6 * Eigen::VectorXd::Ones(chart.dimension());
+                chart.displace(state, rng.uniform01() < 0.5 ? direction : Eigen::VectorXd(-direction), state);
+            }
+            for (const auto &[name, substate] : space->getSubstateLocationsByName())
+            {
+                ob::State *part = space->getSubstateAtLocation(state, substate);
+                if (dynamic_cast<const ob::SO2StateSpace *>(substate.space) != nullptr && *rc::gen::inRange(0, 4) == 0)
+                    part->as<ob::SO2StateSpace::StateType>()->value = rng.uniform01() < 0.5 ? PI - 1e-12 : -PI;
+                if (dynamic_cast<const ob::SO3StateSpace *>(substate.space) != nullptr && *rc::gen::inRange(0, 2) == 0)
+                {
+                    auto *q = part->as<ob::SO3StateSpace::StateType>();
+                    q->x = -q->x;
+                    q->y = -q->y;
+                    q->z = -q->z;
+                    q->w = -q->w;
+                }
+            }
+        }
+
+        TEST_P(StateChartOfEverySpace, DifferenceAndDisplacementAreInverse)
+        {
+            EXPECT_TRUE(rc::check(
+                [this]
+                {
+                    ob::ScopedState<> base(space_);
+                    ob::ScopedState<> state(space_);
+                    ob::ScopedState<> back(space_);
+                    setAnyState(chart_, base.get());
+                    setAnyState(chart_, state.get());
+                    Eigen::VectorXd delta(chart_.dimension());
+                    Eigen::VectorXd again(chart_.dimension());
+                    // the state at the coordinates of a state is that state
+                    chart_.difference(base.get(), state.get(), delta);
+                    chart_.displace(base.get(), delta, back.get());
+                    RC_ASSERT(space_->satisfiesBounds(back.get()));
+                    chart_.difference(state.get(), back.get(), again);
+                    RC_ASSERT(again.norm() < 1e-7);
+                    // the coordinates of the state at coordinates are these, as far as the bounds let the positions go
+                    delta = anyCoordinates(chart_, 3.0);
+                    chart_.displace(base.get(), delta, state.get());
+                    RC_ASSERT(space_->satisfiesBounds(state.get()));
+                    chart_.difference(base.get(), state.get(), again);
+                    Eigen::VectorXd expected = delta;
+                    expected.head(chart_.positionDimension()) *= std::min(1.0, chart_.reach(base.get(), delta));
+                    for (Eigen::Index i = 0; i < expected.size(); ++i)
+                    {
+                        // half a turn to the left is half a turn to the right
+                        const bool rotation = i >= chart_.positionDimension();
+                        RC_ASSERT(std::abs(again[i] - expected[i]) < 1e-6 ||
+                                  (rotation && std::abs(again[i] + expected[i]) < 1e-6));
+                    }
+                }));
         }
     }  // namespace
 }  // namespace ompl_mfa

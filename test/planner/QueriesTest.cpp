@@ -668,5 +668,51 @@ namespace ompl_mfa
                 }
             }
         }
+
+        void setSquare(const ob::SpaceInformationPtr &si, double low, double high)
+        {
+            test::bounded(std::static_pointer_cast<ob::RealVectorStateSpace>(si->getStateSpace()), 2, low, high);
+        }
+
+        TEST_P(Queries, BoundsEnlargedBetweenTwoSolvesAreSearched)
+        {
+            // the wall leaves a gap above the bounds
+            problem_ = test::wallProblem(12.0);
+            ASSERT_NE(solve(test::afterCalls(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+            setSquare(problem_->si, 0.0, 20.0);
+            expectExact(planner_->solve(test::untilExact(problem_->pdef)));
+            EXPECT_GE(planner_->bestCost(), test::wallOptimum(12.0) - 1e-9);
+        }
+
+        TEST_P(Queries, AGoalBeyondTheBoundsIsReachedOnceTheyAreEnlarged)
+        {
+            const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+            goals->addState(problem_->state({3.0, 15.0}));
+            problem_->pdef->setGoal(goals);
+            EXPECT_EQ(solve(ob::timedPlannerTerminationCondition(0.05)), ob::PlannerStatus::INVALID_GOAL);
+            setSquare(problem_->si, 0.0, 20.0);
+            expectExact(planner_->solve(test::untilExact(problem_->pdef)));
+        }
+
+        TEST_P(Queries, APathThatLeavesTheBoundsOfALaterSolveIsForgotten)
+        {
+            expectExact(solve());
+            problem_->pdef->clearSolutionPaths();
+            // the gap above the wall, y > 6, is now out of bounds
+            ob::RealVectorBounds bounds(2);
+            bounds.setLow(0.0);
+            bounds.setHigh(0, 10.0);
+            bounds.setHigh(1, 5.0);
+            problem_->si->getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(bounds);
+            EXPECT_NE(planner_->solve(test::afterCalls(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_FALSE(problem_->pdef->hasExactSolution());
+            // and now a part of it is not
+            problem_->pdef->clearSolutionPaths();
+            bounds.setHigh(1, 7.0);
+            problem_->si->getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(bounds);
+            expectExact(planner_->solve(test::untilExact(problem_->pdef)));
+            for (const ob::State *state : path().getStates())
+                EXPECT_LE(test::coordinate(state, 1), 7.0);
+        }
     }  // namespace
 }  // namespace ompl_mfa

@@ -10,6 +10,7 @@
 
 #include <ompl/base/State.h>
 #include <ompl/base/StateSpace.h>
+#include <ompl/base/spaces/RealVectorBounds.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include "ompl_mfa/path/DubinsGuard.h"
@@ -91,6 +92,10 @@ namespace ompl_mfa
             return {leaves_[i].offset, leaves_[i].dimension};
         }
 
+        /** \brief The bounds of R^n as they are now, which all of this keeps to: low and high of each leaf in turn, in
+            the space's own unit. */
+        std::vector<double> bounds() const;
+
         /** \brief Largest absolute value of each rotation coordinate, in the order of the rotations. */
         const Eigen::VectorXd &rotationReach() const
         {
@@ -140,8 +145,7 @@ namespace ompl_mfa
             Eigen::Index dimension;
             Eigen::Index offset;
             double scale;
-            std::vector<double> low;   ///< R^n only
-            std::vector<double> high;  ///< R^n only
+            const ompl::base::RealVectorBounds *bounds;  ///< of R^n, as they are now, or null
         };
 
         void addLeaves(const ompl::base::StateSpacePtr &space, std::vector<std::size_t> &chain, double scale);

@@ -23,11 +23,6 @@ namespace ompl_mfa
             return sigma_;
         }
 
-        void setSigma(double sigma)
-        {
-            sigma_ = sigma;
-        }
-
         /** \brief Draws a step (d). One of the three below is to tell what became of it. */
         void draw(ompl::RNG &rng, Eigen::Ref<Eigen::VectorXd> step);
 

@@ -189,6 +189,7 @@ namespace ompl_mfa
         std::unique_ptr<PathEvaluator> evaluator_;
         std::unique_ptr<PairBounds> pairBounds_;
         std::unique_ptr<Query> query_;
+        std::vector<double> searchBounds_;  ///< of the space when the search of the query began
         std::unique_ptr<Incumbent> incumbent_;
 
         std::vector<std::pair<std::size_t, std::size_t>> axes_;  ///< starts and goals whose swarms are yet to be made
