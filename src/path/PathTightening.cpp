@@ -73,12 +73,14 @@ namespace ompl_mfa
             return false;
         const ob::Cost first = cost();
         ob::Cost before = first;
-        while (path_.size() > 2 && evaluator_.work() < workLimit_ && !evaluator_.interrupted())
+        while (canImprove() && evaluator_.work() < workLimit_ && !evaluator_.interrupted())
         {
+            const std::size_t infinite = infiniteMotions();
             total_ = before.value();
             round();
             const ob::Cost after = cost();
-            const bool idle = !(std::abs(before.value() - after.value()) > IDLE_GAIN * std::abs(after.value()));
+            const bool idle = !(gain(before.value(), after.value()) > IDLE_GAIN * std::abs(after.value())) &&
+                              infinite == infiniteMotions();
             idleRounds_ = idle ? idleRounds_ + 1 : 0;
             before = after;
             if (idleRounds_ > 0 && evaluator_.work() < workLimit_)
@@ -92,6 +94,27 @@ namespace ompl_mfa
         return evaluator_.objective()->isCostBetterThan(before, first);
     }
 
+    /* What a step from one cost to another gained. Nothing is known of what lies between two infinite costs; a path
+       that comes to have a finite one gained as much as is left of it. */
+    double PathTightening::gain(double before, double after)
+    {
+        if (!std::isfinite(after))
+            return 0.0;
+        return std::abs(std::isfinite(before) ? before - after : after);
+    }
+
+    std::size_t PathTightening::infiniteMotions() const
+    {
+        return static_cast<std::size_t>(std::count_if(
+            costs_.begin(), costs_.end(), [this](ob::Cost cost) { return !evaluator_.objective()->isFinite(cost); }));
+    }
+
+    /* A single motion is all that there can be, unless it costs too much. */
+    bool PathTightening::canImprove() const
+    {
+        return path_.size() > 2 || infiniteMotions() > 0;
+    }
+
     /* Which step pays depends on the world and on how far the path has come: each is tried as often as it gained for
        its work of late, and now and then for the sake of change. */
     void PathTightening::round()
@@ -99,6 +122,7 @@ namespace ompl_mfa
         // candidates that fail on cost alone never come to a motion check, which would ask
         const auto exhausted = [this] { return evaluator_.work() >= workLimit_ || evaluator_.stopped(); };
         removeVertices();
+        bendInfiniteMotions();
         const std::size_t steps = path_.size() > 2 ? STEPS_A_VERTEX * (path_.size() - 2) : 0;
         for (std::size_t k = 0; k < steps && path_.size() > 2 && !exhausted(); ++k)
         {
@@ -111,7 +135,7 @@ namespace ompl_mfa
             if (!success)
                 continue;
             const double now = cost().value();
-            payoff.gain += std::abs(total_ - now);
+            payoff.gain += gain(total_, now);
             total_ = now;
         }
     }
@@ -221,7 +245,8 @@ namespace ompl_mfa
         const ob::Cost corner = cornerCost(i);
         evaluator_.observePath(path_[i - 1], path_[i + 1], corner);
         evaluator_.addWork(1);
-        if (evaluator_.objective()->isCostBetterThan(corner, chord))
+        // a chord of infinite cost would undo what was found around it
+        if (evaluator_.objective()->isCostBetterThan(corner, chord) || !evaluator_.objective()->isFinite(chord))
             return false;
         if (steps_[i].pull < 0.3 && rng_.uniform01() > 0.1)
             return false;
@@ -229,6 +254,46 @@ namespace ompl_mfa
             return false;
         eraseVertices(i, i + 1, chord);
         return true;
+    }
+
+    void PathTightening::bendInfiniteMotions()
+    {
+        for (std::size_t i = 0; i + 1 < path_.size() && evaluator_.work() < workLimit_ && !evaluator_.stopped(); ++i)
+        {
+            if (path_.size() < MAX_VERTICES && !evaluator_.objective()->isFinite(costs_[i]) && bend(i))
+                ++i;
+        }
+    }
+
+    /* Leads a motion of infinite cost over a vertex beside it, as far away as the motion is long at the most, so that
+       at least one of the two motions that replace it costs no more than a finite amount. */
+    bool PathTightening::bend(std::size_t i)
+    {
+        const auto &objective = evaluator_.objective();
+        const double length = chart_->distance(path_[i], path_[i + 1]);
+        if (!std::isfinite(length))
+            return false;
+        for (unsigned int k = 0; k < COST_TRIES && !evaluator_.interrupted(); ++k)
+        {
+            chart_->interpolate(path_[i], path_[i + 1], rng_.uniform01(), b_);
+            chart_->space()->enforceBounds(b_);
+            for (Eigen::Index j = 0; j < delta_.size(); ++j)
+                delta_[j] = rng_.gaussian01();
+            delta_ *= length * rng_.uniform01() / std::sqrt(static_cast<double>(delta_.size()));
+            chart_->displace(b_, delta_, a_);
+            ob::Cost before;
+            ob::Cost after;
+            evaluator_.addWork(2);
+            if (!evaluator_.motionCost(path_[i], a_, before) || !evaluator_.motionCost(a_, path_[i + 1], after))
+                return false;
+            if ((objective->isFinite(before) || objective->isFinite(after)) &&
+                evaluator_.checkStrictly({{path_[i], a_}, {a_, path_[i + 1]}}))
+            {
+                insertVertex(i + 1, a_, before, after);
+                return true;
+            }
+        }
+        return false;
     }
 
     /* Joins two points of the path, vertices or points within motions, by one motion. */

@@ -126,7 +126,9 @@ namespace ompl_mfa
         available[FIREFLIES] = !waiting && (!axes_.empty() || !swarms_.empty() || window_);
         available[RECOMBINATION] = !waiting && search_.recombination && activeSwarm_ != nullptr &&
                                    activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
-        available[TIGHTENING] = search_.tightening && incumbent_->hasPath() && incumbent_->path().size() > 2;
+        // a single motion can be made no better, but around what makes its cost infinite
+        available[TIGHTENING] = search_.tightening && incumbent_->hasPath() &&
+                                (incumbent_->path().size() > 2 || !incumbent_->hasFinitePath());
         available[TREES] = trees_ && ends;
         // where checks are cheap, their number says little
         const bool early =

@@ -21,8 +21,8 @@ namespace ompl_mfa
        toward the chord of its neighbours, random steps of a vertex, cutting of corners.
 
         Each step replaces a few consecutive motions by others of better combined cost; cost is asked first, validity
-        only for what would win. Every motion of the resulting path was checked as it stands there. Steps of vertices
-        adapt their size to what succeeds. */
+        only for what would win. A motion of infinite cost is bent, until the path's cost is finite. Every motion of the
+       resulting path was checked as it stands there. Steps of vertices adapt their size to what succeeds. */
     class PathTightening
     {
     public:
@@ -35,8 +35,8 @@ namespace ompl_mfa
         /** \brief Takes up a copy of \e path, whose motions are all valid. */
         void begin(const Waypoints &path);
 
-        /** \brief Refines for about \e work units of PathEvaluator::work(), or until converged() or interrupted.
-           Returns whether the path changed. */
+        /** \brief Refines for about \e work units of PathEvaluator::work(), or until interrupted, or until there is
+            nothing to refine: one motion of finite cost. Returns whether the path's cost is better than before. */
         bool advance(std::uint64_t work);
 
         const Waypoints &path() const
@@ -96,6 +96,11 @@ namespace ompl_mfa
         void round();
         StepKind chooseStep();
         bool makeStep(StepKind kind, std::size_t i);
+        static double gain(double before, double after);
+        std::size_t infiniteMotions() const;
+        bool canImprove() const;
+        void bendInfiniteMotions();
+        bool bend(std::size_t i);
         bool shortcut();
         bool checkShortcut(const ompl::base::State *before, const ompl::base::State *after);
         void removeVertices();
