@@ -55,7 +55,8 @@ namespace ompl_mfa
 
     bool PathEvaluator::motionCost(const ob::State *from, const ob::State *to, ob::Cost &cost)
     {
-        if ((!bounds_.certain() || ++distances_ % DISTANCES_BETWEEN_STOPS == 0) && stopped())
+        ++distances_;
+        if ((!bounds_.certain() || ++costs_ % DISTANCES_BETWEEN_STOPS == 0) && stopped())
         {
             cost = objective_->infiniteCost();
             return false;

@@ -42,8 +42,12 @@ namespace ompl_mfa
       , pruned_(std::numeric_limits<double>::infinity())
       , sample_(chart_->space()->allocState())
     {
-        nearest_->setDistanceFunction([this](std::size_t a, std::size_t b)
-                                      { return chart_->distance(graph_.state(a), graph_.state(b)); });
+        nearest_->setDistanceFunction(
+            [this](std::size_t a, std::size_t b)
+            {
+                evaluator_.addDistance();
+                return chart_->distance(graph_.state(a), graph_.state(b));
+            });
         renew();
     }
 

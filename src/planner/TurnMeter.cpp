@@ -1,17 +1,51 @@
 #include "ompl_mfa/planner/TurnMeter.h"
 
+#include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
+#include <ompl/base/spaces/SO3StateSpace.h>
+
+namespace ob = ompl::base;
+
 namespace ompl_mfa
 {
     namespace
     {
-        /* Time of a unit of bookkeeping, in s: that of computing a distance and comparing it. */
+        /* Time of a unit of bookkeeping, and of what a search of neighbours does with a distance, in s. */
         constexpr double BOOKKEEPING_TIME = 1e-7;
+        constexpr double NEIGHBOUR_TIME = 20e-9;
+
+        /* Time of computing a distance in nearest-neighbour searches among thousands of states of each space, in s. */
+        double computingTime(const ob::StateSpace &space)
+        {
+            if (dynamic_cast<const ob::ReedsSheppStateSpace *>(&space) != nullptr)
+                return 3800e-9;
+            if (dynamic_cast<const ob::DubinsStateSpace *>(&space) != nullptr)
+                return 430e-9;
+            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+            {
+                double sum = 0.0;
+                for (unsigned int i = 0; i < compound->getSubspaceCount(); ++i)
+                    sum += computingTime(*compound->getSubspace(i));
+                return sum;
+            }
+            if (dynamic_cast<const ob::SO3StateSpace *>(&space) != nullptr)
+                return 17e-9;
+            return 2e-9 + 0.5e-9 * space.getDimension();
+        }
     }  // namespace
+
+    double distanceTime(const ob::StateSpace &space)
+    {
+        return NEIGHBOUR_TIME + computingTime(space);
+    }
 
     TurnMeter::TurnMeter(const PathEvaluator &evaluator, double stateCheckTime)
       : evaluator_(evaluator)
       , stateCheckTime_(stateCheckTime)
+      , distanceTime_(stateCheckTime > 0.0 ? distanceTime(*evaluator.spaceInformation()->getStateSpace()) : 0.0)
       , checks_(evaluator.checks())
+      , distances_(evaluator.distances())
       , bookkeeping_(evaluator.bookkeeping())
       , begin_(std::chrono::steady_clock::now())
     {
@@ -21,6 +55,7 @@ namespace ompl_mfa
     {
         if (stateCheckTime_ > 0.0)
             return stateCheckTime_ * static_cast<double>(evaluator_.checks() - checks_) +
+                   distanceTime_ * static_cast<double>(evaluator_.distances() - distances_) +
                    BOOKKEEPING_TIME * static_cast<double>(evaluator_.bookkeeping() - bookkeeping_ + 1);
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     }

@@ -53,6 +53,21 @@ namespace ompl_mfa
             EXPECT_NEAR(meter.spent(), 12.1, 1e-5);
             evaluator_.addChecks(2);
             EXPECT_NEAR(meter.spent(), 18.1, 1e-5);
+            for (unsigned int i = 0; i < 1000000; ++i)
+                evaluator_.addDistance();
+            EXPECT_NEAR(meter.spent(), 18.1 + 1e6 * distanceTime(*problem_.si->getStateSpace()), 1e-5);
+        }
+
+        TEST_F(TurnMeterTest, DistancesOfCarsTakeLongest)
+        {
+            const double plane = distanceTime(*test::realVectorSpace(2));
+            EXPECT_GT(plane, 0.0);
+            EXPECT_GT(distanceTime(*test::realVectorSpace(16)), plane);
+            const double pose = distanceTime(ob::SE2StateSpace());
+            EXPECT_GT(pose, plane);
+            EXPECT_GT(distanceTime(ob::SE3StateSpace()), pose);
+            EXPECT_GT(distanceTime(ob::DubinsStateSpace()), 5.0 * pose);
+            EXPECT_GT(distanceTime(ob::ReedsSheppStateSpace()), 5.0 * distanceTime(ob::DubinsStateSpace()));
         }
     }  // namespace
 }  // namespace ompl_mfa

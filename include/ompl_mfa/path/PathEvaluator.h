@@ -169,6 +169,19 @@ namespace ompl_mfa
             bookkeeping_ += work;
         }
 
+        /** \brief Distances that were computed for costs of motions and, as others counted them, for neighbours. They are
+            no part of work(). */
+        std::uint64_t distances() const
+        {
+            return distances_;
+        }
+
+        /** \brief Counts a distance that was computed elsewhere. */
+        void addDistance()
+        {
+            ++distances_;
+        }
+
         /** \brief Counts state checks that were made by others. */
         void addChecks(std::uint64_t states)
         {
@@ -203,6 +216,7 @@ namespace ompl_mfa
         std::uint64_t checks_{0};
         std::uint64_t bookkeeping_{0};
         std::uint64_t distances_{0};
+        std::uint64_t costs_{0};  ///< of motions, computed without a look at the stop condition
         std::size_t lastInvalid_{0};
         bool interrupted_{false};
     };
