@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 #include <limits>
 
 #include <sys/prctl.h>
 
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/OmplCompatibility.h"
 
 namespace ob = ompl::base;
@@ -36,7 +36,7 @@ namespace ompl_mfa::anytime
             }
 #ifdef OMPL_MFA_HAS_AORRTC
             if (const auto *aorrtc = dynamic_cast<const ompl::geometric::AORRTC *>(&planner))
-                return [aorrtc] { return std::to_string(aorrtc->bestCost().value()); };
+                return [aorrtc] { return numberText(aorrtc->bestCost().value()); };
 #endif
             return {};
         }
@@ -134,9 +134,9 @@ namespace ompl_mfa::anytime
     {
         if (!bestCost_)
             return;
-        const double cost = std::strtod(bestCost_().c_str(), nullptr);
+        double cost = 0.0;
         // some planners call their cost 0 before they have a path
-        if (cost > 0.0)
+        if (readNumber(bestCost_(), cost) && cost > 0.0)
             offer(cost);
     }
 

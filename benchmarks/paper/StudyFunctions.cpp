@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iomanip>
+#include <locale>
 #include <vector>
 
 #include "cli/TestFunction.h"
@@ -62,6 +63,7 @@ namespace
     void writePopulations(const std::string &file)
     {
         std::ofstream out(file);
+        out.imbue(std::locale::classic());
         out << std::setprecision(10) << "algorithm,run,share,x,y\n";
         for (const auto variant : {FireflyOptimizer::Variant::FA, FireflyOptimizer::Variant::MFA})
         {
@@ -101,6 +103,7 @@ void ompl_mfa::paper::studyFunctions(const StudyOptions &options)
     std::ofstream out(options.outputFolder + "/functions.csv");
     if (!out)
         throw InputError("cannot write '" + options.outputFolder + "/functions.csv'");
+    out.imbue(std::locale::classic());
     out << std::setprecision(10) << "function,dimension,moved,algorithm,run,error\n";
     for (std::size_t i = 0; i < jobs.size(); ++i)
         out << jobs[i].function << "," << jobs[i].dimension << "," << (jobs[i].moved ? 1 : 0) << ","

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <locale>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -45,6 +46,7 @@ namespace
         std::ofstream out(options.outputFolder + "/" + name);
         if (!out)
             throw ompl_mfa::InputError("cannot write '" + options.outputFolder + "/" + name + "'");
+        out.imbue(std::locale::classic());
         out << std::setprecision(10) << header << "\n";
         return out;
     }

@@ -15,6 +15,14 @@ namespace ompl_mfa
         }
         return text;
     }
+
+    /** \brief \e text without the blanks, tabs and line ends around it, in any locale. */
+    inline std::string trimmed(const std::string &text)
+    {
+        const char *const blanks = " \t\n\v\f\r";
+        const std::size_t first = text.find_first_not_of(blanks);
+        return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+    }
 }  // namespace ompl_mfa
 
 #endif

@@ -5,15 +5,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iomanip>
+#include <locale>
 #include <ostream>
 #include <set>
-#include <sstream>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 
 namespace ompl_mfa
 {
@@ -22,9 +21,8 @@ namespace ompl_mfa
         /* "-nan" and "-inf" end ompl_benchmark_statistics; a separator inside a value would shift all columns. */
         std::string cleanValue(const std::string &value)
         {
-            char *end = nullptr;
-            const double number = std::strtod(value.c_str(), &end);
-            if (!value.empty() && *end == '\0' && !std::isfinite(number))
+            double number = 0.0;
+            if (readNumber(value, number) && !std::isfinite(number))
             {
                 return std::isinf(number) && number > 0.0 ? "inf" : "nan";
             }
@@ -39,7 +37,8 @@ namespace ompl_mfa
         {
             std::string word = text.empty() ? "NO_NAME" : text;
             std::replace_if(
-                word.begin(), word.end(), [](unsigned char letter) { return std::isspace(letter) != 0; }, '_');
+                word.begin(), word.end(), [](char letter) { return std::isspace(letter, std::locale::classic()); },
+                '_');
             return word;
         }
 
@@ -47,6 +46,9 @@ namespace ompl_mfa
         {
             out << "<<<|\n" << text << (text.empty() || text.back() == '\n' ? "" : "\n") << "|>>>\n";
         }
+
+        /* Significant digits of the header's numbers. */
+        constexpr int DIGITS = 10;
 
         void writeHeader(std::ostream &out, const BenchmarkLog &log)
         {
@@ -62,10 +64,10 @@ namespace ompl_mfa
             writeBlock(out, log.setup);
             writeBlock(out, log.cpu);
             out << log.seed << " is the random seed\n"
-                << log.timeLimit << " seconds per run\n"
-                << log.memoryLimit << " MB per run\n"
+                << numberText(log.timeLimit, DIGITS) << " seconds per run\n"
+                << numberText(log.memoryLimit, DIGITS) << " MB per run\n"
                 << log.runCount << " runs per planner\n"
-                << log.duration << " seconds spent to collect the data\n"
+                << numberText(log.duration, DIGITS) << " seconds spent to collect the data\n"
                 << log.enums.size() << " enum type" << (log.enums.size() == 1 ? "" : "s") << "\n";
             for (const LogEnum &entry : log.enums)
             {
@@ -118,14 +120,13 @@ namespace ompl_mfa
                 std::string last;
                 for (const ProgressSample &sample : samples)
                 {
-                    std::ostringstream time;
-                    time << std::fixed << std::setprecision(6) << sample.time;
-                    if (time.str() == last)
+                    const std::string time = fixedText(sample.time, 6);
+                    if (time == last)
                     {
                         continue;
                     }
-                    last = time.str();
-                    out << last << ",";
+                    last = time;
+                    out << time << ",";
                     for (const std::string &value : sample.values)
                     {
                         out << cleanValue(value) << ",";
@@ -139,7 +140,7 @@ namespace ompl_mfa
 
     void writeBenchmarkLog(std::ostream &out, const BenchmarkLog &log)
     {
-        out.precision(10);
+        const PlainNumbers plainNumbers(out);
         writeHeader(out, log);
         out << log.planners.size() << " planners\n";
         for (const PlannerLog &planner : log.planners)

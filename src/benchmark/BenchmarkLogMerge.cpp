@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <set>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
 namespace ompl_mfa
@@ -52,7 +52,13 @@ namespace ompl_mfa
             {
                 throw InputError(name + ": planner " + planner + ": a run without property '" + RUN + "'");
             }
-            return static_cast<unsigned int>(std::strtoul(found->second.c_str(), nullptr, 10));
+            unsigned int number = 0;
+            if (!readNumber(found->second, number))
+            {
+                throw InputError(name + ": planner " + planner + ": " + RUN + " = " + found->second +
+                                 ": expected a whole number of at least 0");
+            }
+            return number;
         }
 
         /* Where a run of a planner stands: which part, and at which place in it. */

@@ -1,11 +1,11 @@
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <istream>
 #include <utility>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
 namespace ompl_mfa
@@ -47,10 +47,16 @@ namespace ompl_mfa
             /* The number with which a line begins that goes on with \e words. */
             double number(const std::string &words)
             {
-                const std::string text = line();
-                char *end = nullptr;
-                const double value = std::strtod(text.c_str(), &end);
-                if (end == text.c_str() || std::string(end).compare(0, words.size() + 1, " " + words) != 0)
+                return numberIn(line(), words);
+            }
+
+            /* As number(), of a line that was read before. */
+            double numberIn(const std::string &text, const std::string &words) const
+            {
+                const std::size_t end = text.find(' ');
+                double value = 0.0;
+                if (!readNumber(text.substr(0, end), value) || end == std::string::npos ||
+                    text.compare(end + 1, words.size(), words) != 0)
                 {
                     fail("expected a number and '" + words + "', found '" + text.substr(0, 60) + "'");
                 }
@@ -59,7 +65,13 @@ namespace ompl_mfa
 
             std::size_t count(const std::string &words)
             {
-                const double value = number(words);
+                return countIn(line(), words);
+            }
+
+            /* As count(), of a line that was read before. */
+            std::size_t countIn(const std::string &text, const std::string &words) const
+            {
+                const double value = numberIn(text, words);
                 if (!(value >= 0.0 && value < 1e9))
                 {
                     fail("not a number of things");
@@ -166,7 +178,11 @@ namespace ompl_mfa
                                 std::to_string(values.size() - 1));
                 }
                 values.pop_back();
-                const double time = std::strtod(values[timeColumn].c_str(), nullptr);
+                double time = 0.0;
+                if (!readNumber(values[timeColumn], time))
+                {
+                    reader.fail("expected the time of a sample, found '" + values[timeColumn] + "'");
+                }
                 values.erase(values.begin() + static_cast<std::ptrdiff_t>(timeColumn));
                 samples.push_back({time, std::move(values)});
             }
@@ -176,7 +192,7 @@ namespace ompl_mfa
         void readProgress(LogReader &reader, const std::string &countLine, PlannerLog &planner)
         {
             std::vector<std::string> names =
-                readNames(reader, static_cast<std::size_t>(std::strtoul(countLine.c_str(), nullptr, 10)));
+                readNames(reader, reader.countIn(countLine, "progress properties for each run"));
             std::size_t timeColumn = 0;
             while (timeColumn < names.size() && names[timeColumn] != "time REAL")
             {

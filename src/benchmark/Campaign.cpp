@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <fstream>
+#include <locale>
 #include <map>
 #include <memory>
 #include <set>
@@ -14,6 +15,7 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/CampaignProgress.h"
 
 namespace ob = ompl::base;
@@ -89,11 +91,10 @@ namespace ompl_mfa
             const RunState &state = process.state();
             record.properties["solved BOOLEAN"] = "0";
             record.properties["status ENUM"] = std::to_string(static_cast<int>(statusOf(process.termination())));
-            record.properties["time REAL"] =
-                std::to_string(state.phase == RunPhase::SOLVING ? process.phaseTime() : 0.0);
+            record.properties["time REAL"] = numberText(state.phase == RunPhase::SOLVING ? process.phaseTime() : 0.0);
             record.properties["collision checks INTEGER"] = std::to_string(state.collisionChecks);
-            record.properties["time to first solution REAL"] = std::to_string(state.firstSolution);
-            record.properties["final best cost REAL"] = std::to_string(state.bestCost);
+            record.properties["time to first solution REAL"] = numberText(state.firstSolution);
+            record.properties["final best cost REAL"] = numberText(state.bestCost);
             return record;
         }
 
@@ -405,6 +406,7 @@ namespace ompl_mfa
     {
         std::ostringstream numbers;
         const RunSettings &settings = description_.settings;
+        numbers.imbue(std::locale::classic());
         numbers.precision(17);
         numbers << settings.timeLimit << ' ' << settings.memoryLimit << ' ' << settings.progressInterval << ' '
                 << settings.iterationLimit << ' ' << settings.simplify << ' ' << description_.runCount << ' '
@@ -420,6 +422,7 @@ namespace ompl_mfa
             addToDigest(digest, planner.name);
         }
         std::ostringstream hex;
+        hex.imbue(std::locale::classic());
         hex << std::hex << digest;
         return hex.str();
     }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <locale>
 #include <map>
 #include <set>
 #include <sstream>
@@ -83,6 +84,7 @@ namespace ompl_mfa
         std::string describeLimits(const CampaignDescription &description)
         {
             std::ostringstream text;
+            text.imbue(std::locale::classic());
             text << "Campaign:\n  Each run is a process of its own.\n"
                  << "  Run k (from 0) of every planner: seed = SplitMix64 output number k + 1 of base seed "
                  << description.seed << ", folded to [1, 2^31 - 1]; property 'seed' of each run.\n";

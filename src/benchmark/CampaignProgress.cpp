@@ -101,8 +101,8 @@ namespace ompl_mfa
             return;
         }
         clearLine();
-        *out_ << done_ << "/" << total_ << "  " << record.planner << ", run " << record.run + 1 << ": "
-              << describeRun(record) << std::endl;
+        *out_ << std::to_string(done_) << "/" << std::to_string(total_) << "  " << record.planner << ", run "
+              << std::to_string(record.run + 1) << ": " << describeRun(record) << std::endl;
     }
 
     void CampaignProgress::close()

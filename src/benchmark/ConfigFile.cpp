@@ -9,6 +9,7 @@
 #include <boost/algorithm/string.hpp>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/collision/ResourceFolders.h"
 
@@ -433,7 +434,7 @@ namespace ompl_mfa
                 ProblemConfig &problem = config_.problem;
                 const ConfigEntry *objective = find(problem_, "objective");
                 const ConfigEntry *threshold = find(problem_, "objective.threshold");
-                const bool isWeighted = objective && boost::iequals(objective->value, "weighted");
+                const bool isWeighted = objective && lowerCase(objective->value) == "weighted";
                 if (objective)
                     problem.objective = {"objective", OBJECTIVES[choiceValue(*objective, OBJECTIVES)],
                                          objective->origin};

@@ -1,7 +1,6 @@
 #include "ompl_mfa/benchmark/ConfigLines.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <istream>
 #include <numeric>
@@ -10,6 +9,8 @@
 #include <boost/locale/encoding_utf.hpp>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/PlainText.h"
 
 namespace ompl_mfa
 {
@@ -20,17 +21,6 @@ namespace ompl_mfa
         std::string joined(const std::vector<std::string> &names)
         {
             return boost::algorithm::join(names, ", ");
-        }
-
-        template <typename Number>
-        bool parseWhole(const std::string &text, Number &number)
-        {
-            const char *first = text.data();
-            const char *last = first + text.size();
-            if (first != last && *first == '+')
-                ++first;
-            const auto result = std::from_chars(first, last, number);
-            return first != last && result.ec == std::errc() && result.ptr == last;
         }
 
         std::size_t editDistance(const std::string &a, const std::string &b)
@@ -69,11 +59,9 @@ namespace ompl_mfa
             const auto equals = line.find('=');
             if (equals == std::string::npos)
                 failAt(origin, "'" + line + "' is neither '[section]' nor 'key = value'");
-            ConfigEntry entry{boost::trim_copy(line.substr(0, equals)), boost::trim_copy(line.substr(equals + 1)),
-                              origin};
+            ConfigEntry entry{lowerCase(trimmed(line.substr(0, equals))), trimmed(line.substr(equals + 1)), origin};
             if (entry.key.empty())
                 failAt(origin, "'" + line + "' has no key before '='");
-            boost::to_lower(entry.key);
             if (!section.empty())
                 entry.key = section + "." + entry.key;
             return entry;
@@ -93,7 +81,7 @@ namespace ompl_mfa
             if (line.find('\0') != std::string::npos)
                 failAt(origin, "a NUL character; the file is to be UTF-8 text");
             line.erase(std::find(line.begin(), line.end(), '#'), line.end());
-            boost::trim(line);
+            line = trimmed(line);
             if (line.empty())
                 continue;
             // Names go into logs and JSON documents, which are UTF-8; a comment may be anything.
@@ -103,7 +91,7 @@ namespace ompl_mfa
             {
                 if (line.back() != ']')
                     failAt(origin, "'" + line + "' has no closing ']'");
-                section = boost::to_lower_copy(boost::trim_copy(line.substr(1, line.size() - 2)));
+                section = lowerCase(trimmed(line.substr(1, line.size() - 2)));
             }
             else
                 entries.push_back(parseEntry(line, section, origin));
@@ -114,7 +102,7 @@ namespace ompl_mfa
     double realValue(const ConfigEntry &entry)
     {
         double number = 0.0;
-        if (!parseWhole(entry.value, number) || !std::isfinite(number))
+        if (!readNumber(entry.value, number) || !std::isfinite(number))
             failAt(entry, "expected a finite number");
         return number;
     }
@@ -130,7 +118,7 @@ namespace ompl_mfa
     std::uint_fast64_t wholeValue(const ConfigEntry &entry, std::uint_fast64_t first, std::uint_fast64_t last)
     {
         std::uint_fast64_t number = 0;
-        if (!parseWhole(entry.value, number) || number < first || number > last)
+        if (!readNumber(entry.value, number) || number < first || number > last)
             failAt(entry, "expected a whole number from " + std::to_string(first) + " to " + std::to_string(last));
         return number;
     }
@@ -142,7 +130,7 @@ namespace ompl_mfa
 
     std::size_t choiceValue(const ConfigEntry &entry, const std::vector<std::string> &accepted)
     {
-        const auto found = std::find(accepted.begin(), accepted.end(), boost::to_lower_copy(entry.value));
+        const auto found = std::find(accepted.begin(), accepted.end(), lowerCase(entry.value));
         if (found == accepted.end())
             failAt(entry, "expected one of " + joined(accepted));
         return static_cast<std::size_t>(found - accepted.begin());

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <thread>
 #include <utility>
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/String.h>
 
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/RunRecord.h"
 
 namespace ob = ompl::base;
@@ -209,8 +209,8 @@ namespace ompl_mfa
             sample.values.push_back(properties_[i]());
             if (names_[i] == BEST_COST)
             {
-                const double cost = std::strtod(sample.values.back().c_str(), nullptr);
-                if (std::isfinite(cost))
+                double cost = 0.0;
+                if (readNumber(sample.values.back(), cost) && std::isfinite(cost))
                 {
                     run_.bestCost = cost;
                     run_.firstSolution = std::min(run_.firstSolution.load(), sample.time);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -86,6 +87,7 @@ namespace ompl_mfa
         void keepPath(const og::SimpleSetup &setup, RunRecord &record)
         {
             std::ostringstream matrix;
+            matrix.imbue(std::locale::classic());
             setup.getSolutionPath().printAsMatrix(matrix);
             record.path = matrix.str();
             record.pathCost = pathCost(setup);

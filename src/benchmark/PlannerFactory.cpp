@@ -1,7 +1,6 @@
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -12,6 +11,8 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/PlannerTable.h"
 #include "ompl_mfa/planner/RangedParam.h"
 
@@ -64,13 +65,7 @@ namespace ompl_mfa
             boost::split(parts, range, boost::is_any_of(":"));
             if (parts.size() < 2)
                 return false;
-            const auto read = [](const std::string &text, double &number)
-            {
-                const char *end = text.data() + text.size();
-                const auto result = std::from_chars(text.data(), end, number);
-                return result.ec == std::errc() && result.ptr == end;
-            };
-            return read(boost::trim_copy(parts.front()), first) && read(boost::trim_copy(parts.back()), last);
+            return readNumber(trimmed(parts.front()), first) && readNumber(trimmed(parts.back()), last);
         }
 
         /* OMPL calls its ranges suggestions, and its own sample configs exceed some of them. What no planner of OMPL
@@ -131,7 +126,7 @@ namespace ompl_mfa
             std::vector<std::string> names;
             for (const auto &[name, parameter] : planner.params().getParams())
             {
-                if (boost::iequals(name, entry.key))
+                if (lowerCase(name) == lowerCase(entry.key))
                     return parameter;
                 names.push_back(name);
             }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <locale>
 #include <sstream>
 
 #include <boost/algorithm/string/predicate.hpp>
@@ -213,6 +214,7 @@ namespace ompl_mfa
         std::string describeBounds(const ob::RealVectorBounds &bounds)
         {
             std::ostringstream out;
+            out.imbue(std::locale::classic());
             for (std::size_t i = 0; i < bounds.low.size(); ++i)
                 out << (i == 0 ? "" : " x ") << "[" << bounds.low[i] << ", " << bounds.high[i] << "]";
             return out.str();

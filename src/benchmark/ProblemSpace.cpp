@@ -1,5 +1,6 @@
 #include "ompl_mfa/benchmark/ProblemSpace.h"
 
+#include <locale>
 #include <numeric>
 #include <sstream>
 #include <vector>
@@ -107,6 +108,7 @@ namespace ompl_mfa
     std::string describePose(StateSpaceKind kind, const ConfigPose &pose)
     {
         std::ostringstream out;
+        out.imbue(std::locale::classic());
         out << "(" << pose.x << ", " << pose.y;
         if (positionDimension(kind) == 3)
             out << ", " << pose.z;

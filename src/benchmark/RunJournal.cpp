@@ -15,6 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ompl_mfa/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
 
 using Json = nlohmann::json;
@@ -105,6 +106,7 @@ namespace ompl_mfa
 
     void RunJournal::readRecords()
     {
+        const CLocaleScope plainNumbers;
         std::ifstream in = openJournal(path_);
         std::string line;
         std::getline(in, line);
@@ -142,6 +144,7 @@ namespace ompl_mfa
 
     void RunJournal::append(RunRecord record, double duration)
     {
+        const CLocaleScope plainNumbers;
         Json line = Json::parse(writeRunRecord(record));
         line["duration"] = duration;
         appendLine(line.dump());

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <locale>
 #include <new>
 #include <system_error>
 
@@ -88,6 +89,9 @@ namespace ompl_mfa
             const rlimit noCore{0, 0};
             setrlimit(RLIMIT_CORE, &noCore);
             limitAllocation(megabytes);
+            // OMPL and planners write into streams and with std::to_string() what goes into the log. The C library's
+            // locale follows, for the classic one has a name.
+            std::locale::global(std::locale::classic());
         }
 
         /* Ends without destructors: whatever the planner broke must not cost a result that is already there. */

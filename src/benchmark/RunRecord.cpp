@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ompl_mfa/CLocaleScope.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
 
 using Json = nlohmann::json;
@@ -55,6 +56,8 @@ namespace ompl_mfa
 
     RunRecord readRunRecord(const std::string &line)
     {
+        // The JSON library hands numbers to strtod().
+        const CLocaleScope plainNumbers;
         try
         {
             const Json json = Json::parse(line);

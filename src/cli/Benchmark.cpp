@@ -13,7 +13,9 @@
 
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
+#include "cli/NumberOption.h"
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/Campaign.h"
 
 namespace
@@ -21,6 +23,8 @@ namespace
     using ompl_mfa::cli::finiteOrNull;
 
     constexpr int SIGNAL_STATUS = 128;
+    constexpr double LONGEST_GRACE = 1e9;
+    const char *const ACCEPTED_GRACE = "a number from 0 to 1e9 (seconds)";
 
     struct Options
     {
@@ -48,8 +52,8 @@ namespace
     void addFinite(std::vector<double> &values, const ompl_mfa::RunRecord &record, const std::string &property)
     {
         const auto found = record.properties.find(property);
-        const double value = found == record.properties.end() ? HUGE_VAL : std::strtod(found->second.c_str(), nullptr);
-        if (std::isfinite(value))
+        double value = 0.0;
+        if (found != record.properties.end() && ompl_mfa::readNumber(found->second, value) && std::isfinite(value))
             values.push_back(value);
     }
 
@@ -95,9 +99,7 @@ namespace
 
     std::string cell(double value)
     {
-        char text[32];
-        std::snprintf(text, sizeof(text), "%.4g", value);
-        return std::isfinite(value) ? text : "-";
+        return std::isfinite(value) ? ompl_mfa::numberText(value, 4) : "-";
     }
 
     void printTable(const std::vector<PlannerSummary> &summaries)
@@ -132,21 +134,21 @@ namespace
     {
         if (text.empty())
             return;
-        int length = 0;
-        const int count = std::sscanf(text.c_str(), "%u/%u%n", &options.shard, &options.shards, &length);
-        const bool whole = count == 2 && static_cast<std::size_t>(length) == text.size();
-        if (!whole || text.find_first_of("+-") != std::string::npos || options.shard < 1 ||
+        const std::size_t slash = text.find('/');
+        if (slash == std::string::npos || !ompl_mfa::readNumber(text.substr(0, slash), options.shard) ||
+            !ompl_mfa::readNumber(text.substr(slash + 1), options.shards) || options.shard < 1 ||
             options.shard > options.shards)
         {
             throw ompl_mfa::InputError("--shard " + text + ": accepted is I/N with 1 <= I <= N, such as 2/8");
         }
     }
 
-    void benchmark(Options options)
+    void benchmark(Options options, bool graceGiven)
     {
         readShard(options.shard, options.campaign);
-        if (std::isnan(options.campaign.grace))
-            throw ompl_mfa::InputError("--grace nan: expected a number of at least 0 (seconds)");
+        if (graceGiven && !(options.campaign.grace >= 0.0 && options.campaign.grace <= LONGEST_GRACE))
+            throw ompl_mfa::InputError("--grace " + ompl_mfa::numberText(options.campaign.grace) + ": expected " +
+                                       ACCEPTED_GRACE);
         const ompl_mfa::BenchmarkConfig config = ompl_mfa::readBenchmarkConfig(options.config);
         const ompl_mfa::Campaign campaign = ompl_mfa::makeCampaign(config);
         campaign.validate();
@@ -181,16 +183,15 @@ void ompl_mfa::cli::addBenchmarkCommand(CLI::App &app)
         ->check(CLI::Range(1, 4096))
         ->capture_default_str();
     command->add_option("--shard", options->shard, "Make only part I of N, as I/N; 'ompl_mfa merge' joins the parts");
-    command
-        ->add_option("--grace", options->campaign.grace,
-                     "Seconds after the time limit at which a planner that has not returned is killed (default: 1 "
-                     "and a tenth of the limit)")
-        ->check(CLI::Range(0.0, 1e9));
+    auto *grace = addNumberOption(*command, "--grace", options->campaign.grace,
+                                  "Seconds after the time limit at which a planner that has not returned is killed "
+                                  "(default: 1 and a tenth of the limit)",
+                                  ACCEPTED_GRACE);
     auto *resume =
         command->add_flag("--resume", options->campaign.resume, "Make only the runs that an earlier call did not");
     command->add_flag("--overwrite", options->campaign.overwrite, "Drop the runs of an interrupted campaign")
         ->excludes(resume);
     command->add_flag("--quiet", options->quiet, "Show no progress");
     command->add_flag("--json", options->json, "Print one JSON document");
-    command->callback([options] { benchmark(*options); });
+    command->callback([options, grace] { benchmark(*options, grace->count() > 0); });
 }

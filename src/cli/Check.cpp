@@ -11,6 +11,7 @@
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 #include "ompl_mfa/benchmark/ProblemSpace.h"
@@ -90,6 +91,7 @@ namespace
     void printText(const nlohmann::json &description)
     {
         const auto &motion = description["straight_motion"];
+        const ompl_mfa::PlainNumbers plainNumbers(std::cout);
         std::cout << std::setprecision(6);
         std::cout << "problem    " << description["problem"].get<std::string>() << "\n"
                   << "space      " << description["space"].get<std::string>() << "\n"

@@ -10,6 +10,7 @@
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
 namespace
@@ -50,6 +51,7 @@ namespace
         std::size_t runs = 0;
         for (const auto &planner : merged.planners)
             runs += planner.runs.size();
+        const ompl_mfa::PlainNumbers plainNumbers(std::cout);
         std::cout << options.output << ": " << runs << " runs of " << merged.planners.size() << " planners from "
                   << logs.size() << " parts" << std::endl;
     }

@@ -13,9 +13,11 @@
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "cli/NearestName.h"
+#include "cli/NumberOption.h"
 #include "cli/SvgFigure.h"
 #include "cli/TestFunction.h"
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 
 using ompl_mfa::FireflyOptimizer;
@@ -159,10 +161,9 @@ namespace
         for (const auto &result : results)
         {
             const Run &run = result.runs[(result.runs.size() - 1) / 2];
-            char title[96];
-            std::snprintf(title, sizeof(title), "%s on %s: %.0f %% of the fireflies near the optimum",
-                          result.algorithm == "fa" ? "FA" : "MFA", function.name().c_str(),
-                          100.0 * run.shareNearOptimum);
+            const std::string title = std::string(result.algorithm == "fa" ? "FA" : "MFA") + " on " + function.name() +
+                                      ": " + ompl_mfa::fixedText(100.0 * run.shareNearOptimum, 0) +
+                                      " % of the fireflies near the optimum";
             SvgAxes axes(title, "x", "y", function.lower(), function.upper());
             axes.setEqualAspect();
             SvgAxes::Points fireflies;
@@ -204,10 +205,11 @@ namespace
         std::printf("%-10s %14s %22s %12s\n", "algorithm", "best value", "share near optimum", "evaluations");
         for (const auto &result : results)
         {
-            std::printf("%-10s %14.6g %21.1f%% %12.0f\n", result.algorithm.c_str(),
-                        median(result.runs, [](const Run &run) { return run.best; }),
-                        100.0 * median(result.runs, [](const Run &run) { return run.shareNearOptimum; }),
-                        median(result.runs, [](const Run &run) { return run.evaluations; }));
+            const double best = median(result.runs, [](const Run &run) { return run.best; });
+            const double share = 100.0 * median(result.runs, [](const Run &run) { return run.shareNearOptimum; });
+            const double evaluations = median(result.runs, [](const Run &run) { return run.evaluations; });
+            std::printf("%-10s %14s %21s%% %12s\n", result.algorithm.c_str(), ompl_mfa::numberText(best, 6).c_str(),
+                        ompl_mfa::fixedText(share, 1).c_str(), ompl_mfa::fixedText(evaluations, 0).c_str());
         }
         std::fflush(stdout);
     }
@@ -260,11 +262,13 @@ void ompl_mfa::cli::addOptimizeCommand(CLI::App &app)
     command->add_option("--generations", options->settings.generations, "Generations of a run, Mmax of eq. (13)")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    command->add_option("--gamma", options->settings.gamma, "Light absorption per squared range")
-        ->capture_default_str();
-    command->add_option("--alpha", options->settings.alpha, "Random step in parts of the range")->capture_default_str();
-    command->add_option("--eta", options->settings.eta, "Attraction at distance 0, the paper's beta0")
-        ->capture_default_str();
+    auto &settings = options->settings;
+    addNumberOption(*command, "--gamma", settings.gamma, "Light absorption per squared range")
+        ->default_str(numberText(settings.gamma));
+    addNumberOption(*command, "--alpha", settings.alpha, "Random step in parts of the range")
+        ->default_str(numberText(settings.alpha));
+    addNumberOption(*command, "--eta", settings.eta, "Attraction at distance 0, the paper's beta0")
+        ->default_str(numberText(settings.eta));
     command->add_option("--picture", options->picture, "Write the final populations to this SVG file");
     command->add_flag("--json", options->json, "Print one JSON document");
     command->callback([options] { optimize(*options); });

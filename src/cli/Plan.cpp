@@ -8,11 +8,10 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <locale>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <boost/algorithm/string.hpp>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <CLI/CLI.hpp>
@@ -20,8 +19,11 @@
 
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
+#include "cli/NumberOption.h"
 #include "cli/ProblemPicture.h"
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/MeasuredPlanner.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
@@ -35,6 +37,8 @@ namespace
     using ompl_mfa::PlannerSpec;
     using ompl_mfa::ProblemFactory;
     using ompl_mfa::cli::finiteOrNull;
+
+    const char *const ACCEPTED_TIME = "a number above 0 and at most 1e9 (seconds)";
 
     struct Options
     {
@@ -75,7 +79,7 @@ namespace
         for (const auto &spec : config.planners)
             if (spec.name == planner)
                 return spec;
-        const std::string type = boost::to_lower_copy(planner);
+        const std::string type = ompl_mfa::lowerCase(planner);
         for (const auto &spec : config.planners)
             if (spec.type == type)
                 return spec;
@@ -88,11 +92,11 @@ namespace
         const auto equals = text.find('=');
         if (equals == std::string::npos)
             throw ompl_mfa::InputError("--parameter " + text + ": expected NAME=VALUE");
-        const ompl_mfa::ConfigEntry entry{boost::trim_copy(text.substr(0, equals)),
-                                          boost::trim_copy(text.substr(equals + 1)), "--parameter"};
+        const ompl_mfa::ConfigEntry entry{ompl_mfa::trimmed(text.substr(0, equals)),
+                                          ompl_mfa::trimmed(text.substr(equals + 1)), "--parameter"};
         for (auto &parameter : spec.parameters)
         {
-            if (boost::iequals(parameter.key, entry.key))
+            if (ompl_mfa::lowerCase(parameter.key) == ompl_mfa::lowerCase(entry.key))
             {
                 parameter = entry;
                 return;
@@ -104,7 +108,7 @@ namespace
     bool hasParameter(const PlannerSpec &spec, const std::string &name)
     {
         return std::any_of(spec.parameters.begin(), spec.parameters.end(),
-                           [&name](const auto &parameter) { return boost::iequals(parameter.key, name); });
+                           [&name](const auto &parameter) { return ompl_mfa::lowerCase(parameter.key) == name; });
     }
 
     double costOf(const og::SimpleSetup &setup)
@@ -212,6 +216,7 @@ namespace
     void writePath(const og::PathGeometric &path, const std::string &file)
     {
         std::ofstream out(file);
+        out.imbue(std::locale::classic());
         out << std::setprecision(std::numeric_limits<double>::max_digits10);
         path.printAsMatrix(out);
         out.close();
@@ -231,9 +236,7 @@ namespace
         if (run.setup().haveSolutionPath())
         {
             content.best.push_back(run.setup().getSolutionPath());
-            std::ostringstream cost;
-            cost << std::setprecision(5) << ", cost " << result.cost << (result.exact ? "" : " (approximate)");
-            content.title += cost.str();
+            content.title += ", cost " + ompl_mfa::numberText(result.cost, 5) + (result.exact ? "" : " (approximate)");
         }
         ompl_mfa::cli::drawProblem(factory, run.setup(), content, options.picture);
     }
@@ -268,11 +271,8 @@ namespace
     void printText(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options, const Result &result)
     {
         const auto orNone = [](double value, const std::string &unit)
-        {
-            std::ostringstream out;
-            out << std::setprecision(7) << value << unit;
-            return std::isfinite(value) ? out.str() : std::string("none");
-        };
+        { return std::isfinite(value) ? ompl_mfa::numberText(value, 7) + unit : std::string("none"); };
+        const ompl_mfa::PlainNumbers plainNumbers(std::cout);
         std::cout << "problem                  " << factory.config().problem.name << "\n"
                   << "planner                  " << spec.name << ", seed " << options.seed << "\n"
                   << "status                   " << result.status << "\n"
@@ -296,8 +296,7 @@ namespace
         if (!timeGiven)
             options.time = benchmark.timeLimit;
         if (!(options.time > 0.0 && options.time <= ompl_mfa::LONGEST_TIME_LIMIT))
-            throw ompl_mfa::InputError("--time " + std::to_string(options.time) +
-                                       ": expected a number above 0 and at most 1e9 (seconds)");
+            throw ompl_mfa::InputError("--time " + ompl_mfa::numberText(options.time) + ": expected " + ACCEPTED_TIME);
         requireWritable("--picture", options.picture);
         requireWritable("--path", options.path);
         PlannerSpec spec = findSpec(factory.config(), options.planner);
@@ -329,7 +328,8 @@ void ompl_mfa::cli::addPlanCommand(CLI::App &app)
         ->add_option("--planner", options->planner,
                      "Name or type of a planner of the config, which keeps its parameters there, or any other type")
         ->capture_default_str();
-    auto *time = command->add_option("--time", options->time, "Seconds; the config's time_limit if not given");
+    auto *time = addNumberOption(*command, "--time", options->time, "Seconds; the config's time_limit if not given",
+                                 ACCEPTED_TIME);
     auto *seed = command->add_option("--seed", options->seed, "The config's seed if not given")
                      ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
     command->add_option("--iterations", options->iterations,

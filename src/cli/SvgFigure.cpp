@@ -1,15 +1,14 @@
 #include "cli/SvgFigure.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
 
 namespace
 {
@@ -22,9 +21,7 @@ namespace
 
     std::string number(double value)
     {
-        std::array<char, 32> text{};
-        std::snprintf(text.data(), text.size(), "%.1f", value);
-        return text.data();
+        return ompl_mfa::fixedText(value, 1);
     }
 
     std::string escape(const std::string &text)
@@ -46,19 +43,17 @@ namespace
 
     std::string attributes(const ompl_mfa::cli::SvgStyle &style)
     {
-        std::ostringstream out;
-        out << " fill=\"" << style.fill << "\" stroke=\"" << style.stroke << "\" stroke-width=\"" << style.strokeWidth
-            << "\" opacity=\"" << style.opacity << "\"";
-        return out.str();
+        return " fill=\"" + style.fill + "\" stroke=\"" + style.stroke + "\" stroke-width=\"" +
+               ompl_mfa::numberText(style.strokeWidth, 6) + "\" opacity=\"" + ompl_mfa::numberText(style.opacity, 6) +
+               "\"";
     }
 
     std::string text(const Eigen::Vector2d &at, const std::string &words, const std::string &anchor,
                      double size = FONT_SIZE, const std::string &extra = "")
     {
-        std::ostringstream out;
-        out << "<text x=\"" << number(at.x()) << "\" y=\"" << number(at.y()) << "\" font-size=\"" << size
-            << "\" text-anchor=\"" << anchor << "\"" << extra << ">" << escape(words) << "</text>\n";
-        return out.str();
+        return "<text x=\"" + number(at.x()) + "\" y=\"" + number(at.y()) + "\" font-size=\"" +
+               ompl_mfa::numberText(size, 6) + "\" text-anchor=\"" + anchor + "\"" + extra + ">" + escape(words) +
+               "</text>\n";
     }
 
     std::string line(const Eigen::Vector2d &a, const Eigen::Vector2d &b, const std::string &color)
@@ -84,9 +79,7 @@ namespace
 
     std::string tickLabel(double value)
     {
-        std::array<char, 32> label{};
-        std::snprintf(label.data(), label.size(), "%.6g", value);
-        return label.data();
+        return ompl_mfa::numberText(value, 6);
     }
 }  // namespace
 

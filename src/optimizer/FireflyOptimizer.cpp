@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "ompl_mfa/NumberText.h"
 
 namespace
 {
@@ -16,21 +17,19 @@ namespace
 
     [[noreturn]] void refuse(const char *setting, double value, const std::string &accepted)
     {
-        std::ostringstream message;
-        message << "FireflyOptimizer: " << setting << " = " << value << " is not accepted; it must be " << accepted;
-        throw std::invalid_argument(message.str());
+        throw std::invalid_argument(std::string("FireflyOptimizer: ") + setting + " = " +
+                                    ompl_mfa::numberText(value, 6) + " is not accepted; it must be " + accepted);
     }
 
     void requireInterval(const char *setting, double value, double lower, double upper)
     {
         if (value >= lower && value <= upper)
             return;
-        std::ostringstream accepted;
-        if (upper == std::numeric_limits<double>::max())
-            accepted << "finite and at least " << lower;
-        else
-            accepted << "in [" << lower << ", " << upper << "]";
-        refuse(setting, value, accepted.str());
+        const std::string least = ompl_mfa::numberText(lower, 6);
+        refuse(setting, value,
+               upper == std::numeric_limits<double>::max()
+                   ? "finite and at least " + least
+                   : "in [" + least + ", " + ompl_mfa::numberText(upper, 6) + "]");
     }
 
     void validateBox(const Eigen::VectorXd &lower, const Eigen::VectorXd &upper)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -149,6 +150,7 @@ std::string ompl_mfa::PagmoFirefly::get_name() const
 std::string ompl_mfa::PagmoFirefly::get_extra_info() const
 {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     out << "\tGenerations: " << generations_ << "\n\tgamma: " << gamma_ << "\n\talpha: " << alpha_
         << "\n\teta: " << eta_ << "\n\tSeed: " << seed_ << "\n\tVerbosity: " << verbosity_;
     return out.str();

@@ -62,7 +62,7 @@ namespace ompl_mfa
     /** \brief A function that runs in a process of its own, under limits, and hands a text back.
 
         The process is a fork of the calling one, which must have a single thread. It dies with its parent, leaves no
-        core file, reads nothing, and what it prints is kept back. */
+        core file, reads nothing, and what it prints is kept back. Its locale is "C", whatever that of the caller. */
     class RunProcess
     {
     public:
