@@ -2,6 +2,9 @@
 #define OMPL_MFA_INPUT_ERROR_
 
 #include <stdexcept>
+#include <string>
+
+#include "ompl_mfa/PlainText.h"
 
 namespace ompl_mfa
 {
@@ -12,7 +15,12 @@ namespace ompl_mfa
     class InputError : public std::runtime_error
     {
     public:
-        using std::runtime_error::runtime_error;
+        /** \brief The message is oneLine() of \e message: what a file held may be in it, a NUL included, at which the
+            text of an exception would end. */
+        explicit InputError(const std::string &message)
+          : std::runtime_error(oneLine(message))
+        {
+        }
     };
 }  // namespace ompl_mfa
 

@@ -16,6 +16,33 @@ namespace ompl_mfa
         return text;
     }
 
+    /** \brief \e text as one line that leaves a terminal as it is: line ends and tabs become blanks, other control
+        characters (NUL, escapes, U+0080 to U+009F) `\\x` and two hexadecimal digits. */
+    inline std::string oneLine(const std::string &text)
+    {
+        const char *const digits = "0123456789abcdef";
+        std::string line;
+        for (std::size_t i = 0; i < text.size(); ++i)
+        {
+            auto byte = static_cast<unsigned char>(text[i]);
+            const bool isBlank = byte >= '\t' && byte <= '\r';
+            const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+            const bool isC1 = byte == 0xC2 && next >= 0x80 && next < 0xA0;
+            if (isC1)
+            {
+                byte = next;
+                ++i;
+            }
+            if (isBlank)
+                line += ' ';
+            else if (isC1 || byte < 32 || byte == 127)
+                line += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+            else
+                line += static_cast<char>(byte);
+        }
+        return line;
+    }
+
     /** \brief \e text without the blanks, tabs and line ends around it, in any locale. */
     inline std::string trimmed(const std::string &text)
     {

@@ -8,6 +8,8 @@
 
 #include <ompl/base/PlannerStatus.h>
 
+#include "ompl_mfa/PlainText.h"
+
 namespace ompl_mfa
 {
     namespace
@@ -145,6 +147,6 @@ namespace ompl_mfa
     std::string describeRun(const RunRecord &record)
     {
         const std::string end = describeEnd(record);
-        return record.message.empty() ? end : end + ": " + lastLine(record.message);
+        return record.message.empty() ? end : end + ": " + oneLine(lastLine(record.message));
     }
 }  // namespace ompl_mfa

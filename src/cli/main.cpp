@@ -1,4 +1,3 @@
-#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -12,6 +11,7 @@
 #include "cli/Commands.h"
 #include "cli/NearestName.h"
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/PlainText.h"
 
 namespace
 {
@@ -24,17 +24,13 @@ namespace
     public:
         void log(const std::string &text, ompl::msg::LogLevel level, const char * /*filename*/, int /*line*/) override
         {
-            std::cerr << (level == ompl::msg::LOG_WARN ? "warning: " : "") << text << std::endl;
+            std::cerr << (level == ompl::msg::LOG_WARN ? "warning: " : "") << ompl_mfa::oneLine(text) << std::endl;
         }
     };
 
-    int report(const char *message, int status) noexcept
+    int report(const std::string &message, int status)
     {
-        std::fputs("ompl_mfa: ", stderr);
-        // One line whatever a file held: line ends and control characters are not passed on to the terminal.
-        for (; *message != '\0'; ++message)
-            std::fputc(std::iscntrl(static_cast<unsigned char>(*message)) != 0 ? ' ' : *message, stderr);
-        std::fputc('\n', stderr);
+        std::fputs(("ompl_mfa: " + ompl_mfa::oneLine(message) + "\n").c_str(), stderr);
         return status;
     }
 
@@ -80,9 +76,9 @@ namespace
         if (error.get_name() == "RuntimeError")
             return error.get_exit_code();
         if (!app.remaining(true).empty())
-            return report(describeExtra(app).c_str(), BAD_INPUT);
+            return report(describeExtra(app), BAD_INPUT);
         if (app.get_subcommands().empty())
-            return report((error.what() + std::string("; run 'ompl_mfa --help' for the list")).c_str(), BAD_INPUT);
+            return report(error.what() + std::string("; run 'ompl_mfa --help' for the list"), BAD_INPUT);
         return report(error.what(), BAD_INPUT);
     }
 
