@@ -17,6 +17,7 @@
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/CampaignProgress.h"
+#include "ompl_mfa/benchmark/FileNames.h"
 
 namespace ob = ompl::base;
 
@@ -120,7 +121,8 @@ namespace ompl_mfa
                 }
                 if (which == SavePaths::ALL)
                 {
-                    savePath(stem + "." + record.planner + "." + std::to_string(record.run) + ".path", record);
+                    savePath(stem + "." + fileNamePart(record.planner) + "." + std::to_string(record.run) + ".path",
+                             record);
                 }
                 const RunRecord *&shortest = best[record.planner];
                 if (shortest == nullptr || record.pathCost < shortest->pathCost)
@@ -132,7 +134,7 @@ namespace ompl_mfa
             {
                 if (which == SavePaths::SHORTEST)
                 {
-                    savePath(stem + "." + entry.first + ".path", *entry.second);
+                    savePath(stem + "." + fileNamePart(entry.first) + ".path", *entry.second);
                 }
             }
         }

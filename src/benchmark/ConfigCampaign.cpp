@@ -5,6 +5,7 @@
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
+#include "ompl_mfa/benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 
@@ -83,7 +84,7 @@ namespace ompl_mfa
         {
             folder = config.benchmark.output;
         }
-        std::string name = config.problem.name;
+        std::string name = fileNamePart(config.problem.name);
         if (shards > 1)
         {
             name += "." + std::to_string(shard) + "-of-" + std::to_string(shards);

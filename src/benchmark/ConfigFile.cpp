@@ -10,6 +10,7 @@
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
+#include "ompl_mfa/benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/collision/ResourceFolders.h"
 
@@ -221,6 +222,10 @@ namespace ompl_mfa
                     addOnce(spec->parameters, parameter);
                 else if (parameter.value.empty())
                     failAt(parameter, "a planner's name cannot be empty");
+                else if (hasControlCharacter(parameter.value) || fileNamePart(parameter.value).size() > LONGEST_NAME)
+                    failAt(parameter,
+                           "a planner's name has no control characters and at most 100 bytes, of which '/' "
+                           "and '%' take three");
                 else if (!spec->name.empty())
                     failAt(parameter, "this planner is already named '" + spec->name + "'");
                 else
@@ -262,6 +267,10 @@ namespace ompl_mfa
                 ProblemConfig &problem = config_.problem;
                 const ConfigEntry *name = find(problem_, "name");
                 problem.name = name ? name->value : config_.file.stem().string();
+                if (!isFileName(problem.name))
+                    failAt(name ? *name : ConfigEntry{"problem.name", problem.name, config_.file.string()},
+                           "the log has this name; accepted is a file's name of at most 100 bytes, without '/' and "
+                           "control characters, not '.' or '..'");
                 if (const ConfigEntry *world = find(problem_, "world"))
                     problem.world = *world;
                 problem.start = readPose("start");
@@ -464,8 +473,8 @@ namespace ompl_mfa
                     benchmark.runCount = static_cast<unsigned int>(wholeValue(*entry, 1, 1000000));
                 if (const ConfigEntry *entry = given("output"))
                 {
-                    benchmark.output = entry->value;
-                    benchmark.outputOrigin = entry->origin;
+                    benchmark.output =
+                        writtenPath(entry->value, entry->origin + ": " + entry->key + " = " + entry->value);
                 }
                 if (const ConfigEntry *entry = given("save_paths"))
                     benchmark.savePaths = static_cast<SavePaths>(choiceValue(*entry, {"none", "all", "shortest"}));

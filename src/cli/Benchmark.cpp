@@ -17,6 +17,7 @@
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/Campaign.h"
+#include "ompl_mfa/benchmark/FileNames.h"
 
 namespace
 {
@@ -153,8 +154,8 @@ namespace
         const ompl_mfa::Campaign campaign = ompl_mfa::makeCampaign(config);
         campaign.validate();
         options.campaign.log = options.output.empty()
-                                   ? ompl_mfa::logFile(config, options.campaign.shard, options.campaign.shards).string()
-                                   : options.output;
+                                   ? ompl_mfa::logFile(config, options.campaign.shard, options.campaign.shards)
+                                   : ompl_mfa::writtenPath(options.output, "--output " + options.output);
         options.campaign.progress = options.quiet ? nullptr : &std::cerr;
         options.campaign.terminal = isatty(STDERR_FILENO) != 0;
 

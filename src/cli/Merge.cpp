@@ -12,6 +12,7 @@
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
+#include "ompl_mfa/benchmark/FileNames.h"
 
 namespace
 {
@@ -35,8 +36,9 @@ namespace
         ompl_mfa::cli::printDocument(document);
     }
 
-    void merge(const Options &options)
+    void merge(Options options)
     {
+        options.output = ompl_mfa::writtenPath(options.output, "--output " + options.output).string();
         std::vector<ompl_mfa::BenchmarkLog> logs;
         logs.reserve(options.parts.size());
         for (const auto &part : options.parts)

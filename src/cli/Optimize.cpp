@@ -18,6 +18,7 @@
 #include "cli/TestFunction.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/benchmark/FileNames.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 
 using ompl_mfa::FireflyOptimizer;
@@ -228,7 +229,7 @@ namespace
         for (const auto &algorithm : options.algorithms)
             results.push_back(runAlgorithm(function, options, algorithm));
         if (!options.picture.empty())
-            draw(function, results, options.picture);
+            draw(function, results, ompl_mfa::writtenPath(options.picture, "--picture " + options.picture).string());
         if (options.json)
             printJson(options, results);
         else

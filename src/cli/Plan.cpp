@@ -24,6 +24,7 @@
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/PlainText.h"
+#include "ompl_mfa/benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/MeasuredPlanner.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
@@ -297,6 +298,8 @@ namespace
             options.time = benchmark.timeLimit;
         if (!(options.time > 0.0 && options.time <= ompl_mfa::LONGEST_TIME_LIMIT))
             throw ompl_mfa::InputError("--time " + ompl_mfa::numberText(options.time) + ": expected " + ACCEPTED_TIME);
+        options.picture = ompl_mfa::writtenPath(options.picture, "--picture " + options.picture).string();
+        options.path = ompl_mfa::writtenPath(options.path, "--path " + options.path).string();
         requireWritable("--picture", options.picture);
         requireWritable("--path", options.path);
         PlannerSpec spec = findSpec(factory.config(), options.planner);

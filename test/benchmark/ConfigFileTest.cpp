@@ -65,7 +65,7 @@ namespace
         EXPECT_EQ(config.benchmark.timeLimit, 2.0);
         EXPECT_EQ(config.benchmark.memoryLimit, 300.0);
         EXPECT_EQ(config.benchmark.runCount, 4u);
-        EXPECT_EQ(config.benchmark.output, "logs");
+        EXPECT_EQ(config.benchmark.output.string(), "logs");
         EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::SavePaths::SHORTEST);
         EXPECT_FALSE(config.benchmark.simplify);
         EXPECT_EQ(config.benchmark.seed, 9u);

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -139,6 +140,81 @@ TEST_F(Benchmark, SavesTheShortestPathsOfAProblemWithoutObjective)
     EXPECT_EQ(runProgram("benchmark --quiet " + config()).status, 0);
     for (const char *planner : {"RRTstar", "RRTConnect"})
         EXPECT_EQ(readFile(folder_ + "/scene.geometric_" + planner + ".path").rfind("0.3 2.2", 0), 0u) << planner;
+}
+
+TEST_F(Benchmark, NamesOfTheConfigStayInTheFolder)
+{
+    const auto expectRefused = [this](const std::string &key, const std::string &value)
+    {
+        writeConfig("run_count = 1\niteration_limit = 400\n", "rrtconnect =\n");
+        std::string text = readFile(config());
+        if (key == "name")
+            text.replace(text.find("name = scene"), 12, "name = " + value);
+        else
+            text.replace(text.find("run_count"), 0, key + " = " + value + "\n");
+        std::ofstream(folder_ + "/in/scene.cfg") << text;
+        expectBadInput("benchmark --quiet " + folder_ + "/in/scene.cfg", {"scene.cfg:", key + " = "});
+    };
+    std::filesystem::create_directories(folder_ + "/in/sub");
+    for (const std::string name :
+         {"../scene", "/tmp/ompl_mfa_scene", "sub/scene", "sub/../../scene", ".", "..", "a\tb", "a\x1b[2Jb", "a\x7f"})
+        expectRefused("name", name);
+    expectRefused("name", std::string(300, 'n'));
+    for (const std::string output : {"~nobody", "a/~", "~/~/b", "a\tb", "~nobody/a"})
+        expectRefused("output", output);
+    std::size_t files = 0;
+    for (const auto &entry : std::filesystem::recursive_directory_iterator(folder_))
+        files += entry.is_regular_file() ? 1 : 0;
+    EXPECT_EQ(files, 2U) << "only scene.cfg and in/scene.cfg";
+}
+
+TEST_F(Benchmark, TheTildeIsTheHomeFolder)
+{
+    const auto runAtHome = [this](const std::string &arguments)
+    {
+        const ProgramResult result = runProgram(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_FALSE(std::filesystem::exists("~"));
+        std::error_code ignored;
+        std::filesystem::remove_all("~", ignored);
+    };
+    const char *before = std::getenv("HOME");
+    const std::string home = before == nullptr ? "" : before;
+    std::filesystem::create_directories(folder_ + "/home");
+    setenv("HOME", (folder_ + "/home").c_str(), 1);
+    for (const std::string output : {"~", "~/logs/deep"})
+    {
+        writeConfig("run_count = 1\niteration_limit = 400\noutput = " + output + "\n", "rrtconnect =\n");
+        runAtHome("benchmark --quiet " + config());
+        EXPECT_TRUE(std::filesystem::exists(folder_ + "/home" + output.substr(1) + "/scene.log")) << output;
+    }
+    writeConfig("run_count = 1\niteration_limit = 400\n", "rrtconnect =\n");
+    runAtHome("benchmark --quiet --output='~/a/b.log' " + config());
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/home/a/b.log"));
+    runAtHome("merge --output='~/a/c.log' " + folder_ + "/home/a/b.log");
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/home/a/c.log"));
+    runAtHome("plan --planner rrtconnect --path='~/a/p.path' --picture='~/a/p.svg' " + config());
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/home/a/p.path"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/home/a/p.svg"));
+    unsetenv("HOME");
+    expectBadInput("benchmark --quiet --output='~/a/d.log' " + config(), {"--output", "~/a/d.log", "HOME"});
+    setenv("HOME", home.c_str(), 1);
+    if (before == nullptr)
+        unsetenv("HOME");
+}
+
+TEST_F(Benchmark, SavesPathsOfPlannersWhateverTheirNames)
+{
+    writeConfig("run_count = 1\niteration_limit = 400\nsave_paths = all\n",
+                "rrtconnect =\nrrtconnect.name = ../a/b\nrrtconnect =\nrrtconnect.name = 50 % w/o\n");
+    const ProgramResult result = runProgram("benchmark --quiet " + config());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/scene.geometric_..%2Fa%2Fb.0.path"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/scene.geometric_50 %25 w%2Fo.0.path"));
+    writeConfig("run_count = 1\n", "rrtconnect =\nrrtconnect.name = a\x1b[31m\n");
+    expectBadInput("check " + config(), {"scene.cfg:18", "name", "control characters"});
+    writeConfig("run_count = 1\n", "rrtconnect =\nrrtconnect.name = " + std::string(101, 'n') + "\n");
+    expectBadInput("check " + config(), {"scene.cfg:18", "name", "100 bytes"});
 }
 
 TEST_F(Benchmark, RefusesWhatItCannotUse)

@@ -50,7 +50,7 @@ namespace ompl_mfa
     /** \brief The section [problem]. */
     struct ProblemConfig
     {
-        /** \brief The file's stem when it is not given. */
+        /** \brief The file's stem when it is not given. It is a file's name, see isFileName(). */
         std::string name;
         /** \brief A mesh, a scene or an OctoMap; without it the robot moves in an empty world. */
         std::optional<ConfigEntry> world;
@@ -100,9 +100,8 @@ namespace ompl_mfa
         /** \brief Megabytes a run. */
         double memoryLimit{4096.0};
         unsigned int runCount{100};
-        /** \brief Folder of the log, as written; empty: beside the config. */
-        std::string output;
-        std::string outputOrigin;
+        /** \brief Folder of the log, with `~` replaced by the home folder; empty: beside the config. */
+        std::filesystem::path output;
         SavePaths savePaths{SavePaths::NONE};
         bool simplify{true};
         /** \brief Seed of the whole campaign, above 0. */

@@ -1,0 +1,80 @@
+#include "ompl_mfa/benchmark/FileNames.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "ompl_mfa/benchmark/ConfigLines.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        bool isControlCharacter(char letter)
+        {
+            const auto byte = static_cast<unsigned char>(letter);
+            return byte < 32 || byte == 127;
+        }
+    }  // namespace
+
+    std::string fileNamePart(const std::string &name)
+    {
+        const char *const digits = "0123456789ABCDEF";
+        std::string part;
+        for (const char letter : name)
+        {
+            if (letter == '/' || letter == '%' || isControlCharacter(letter))
+            {
+                const auto byte = static_cast<unsigned char>(letter);
+                part += {'%', digits[byte / 16], digits[byte % 16]};
+            }
+            else
+            {
+                part += letter;
+            }
+        }
+        return part;
+    }
+
+    bool hasControlCharacter(const std::string &text)
+    {
+        return std::any_of(text.begin(), text.end(), isControlCharacter);
+    }
+
+    bool isFileName(const std::string &name)
+    {
+        return !name.empty() && name != "." && name != ".." && name.size() <= LONGEST_NAME &&
+               name.find('/') == std::string::npos && !hasControlCharacter(name);
+    }
+
+    std::filesystem::path writtenPath(const std::string &path, const std::string &origin)
+    {
+        if (hasControlCharacter(path))
+        {
+            failAt(origin, "a path without control characters is accepted");
+        }
+        const bool isAtHome = path == "~" || path.compare(0, 2, "~/") == 0;
+        const std::string rest = isAtHome ? path.substr(std::min<std::size_t>(path.size(), 2)) : path;
+        if (!isAtHome && path.compare(0, 1, "~") == 0)
+        {
+            failAt(origin, "the home folder of another user is not looked up; '~/...' is that of this one");
+        }
+        for (const std::filesystem::path &component : std::filesystem::path(rest))
+        {
+            if (component == "~")
+            {
+                failAt(origin, "no folder may be called '~'; '~/...' is the home folder");
+            }
+        }
+        if (!isAtHome)
+        {
+            return path;
+        }
+        const char *home = std::getenv("HOME");
+        if (home == nullptr || *home == '\0')
+        {
+            failAt(origin, "'~' is the folder that the environment variable HOME names, and it is not set");
+        }
+        // What begins with '/' would replace the home folder: '~//a' is '~/a'.
+        return std::filesystem::path(home) / rest.substr(std::min(rest.size(), rest.find_first_not_of('/')));
+    }
+}  // namespace ompl_mfa
