@@ -9,6 +9,7 @@
 #include <boost/algorithm/string.hpp>
 
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/util/Console.h>
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
@@ -70,14 +71,14 @@ namespace ompl_mfa
 
         /* OMPL calls its ranges suggestions, and its own sample configs exceed some of them. What no planner of OMPL
            can use are negative values where the range has none, and fractions above 1. */
-        void checkRange(const ConfigEntry &entry, const std::string &range, double value, bool isLimit)
+        void checkRange(const ConfigEntry &entry, const std::string &range, double value)
         {
             double first = 0.0;
             double last = 0.0;
             if (!rangeEnds(range, first, last))
                 return;
             const bool isFraction = first == 0.0 && last == 1.0;
-            const bool isOutside = isLimit || isFraction ? value < first || value > last : first >= 0.0 && value < 0.0;
+            const bool isOutside = isFraction ? value < first || value > last : first >= 0.0 && value < 0.0;
             if (isOutside)
                 failAt(entry, "out of the range " + range);
         }
@@ -91,7 +92,7 @@ namespace ompl_mfa
         }
 
         /* The text to hand to OMPL, whose own conversion accepts "12abc" as 12 and "-1" as an unsigned number. */
-        std::string checkedValue(const ob::GenericParam &parameter, const ConfigEntry &entry, bool isLimit)
+        std::string checkedValue(const ob::GenericParam &parameter, const ConfigEntry &entry)
         {
             const std::string &range = parameter.getRangeSuggestion();
             switch (valueType(parameter))
@@ -108,11 +109,11 @@ namespace ompl_mfa
                     if (number != std::floor(number) || number > most || number < (isUnsigned ? 0.0 : -most) ||
                         entry.value.find_first_of(".eE") != std::string::npos)
                         failAt(entry, isUnsigned ? "expected a whole number of at least 0" : "expected a whole number");
-                    checkRange(entry, range, number, isLimit);
+                    checkRange(entry, range, number);
                     return entry.value;
                 }
                 case ValueType::REAL:
-                    checkRange(entry, range, realValue(entry), isLimit);
+                    checkRange(entry, range, realValue(entry));
                     return entry.value;
                 case ValueType::TEXT:
                     checkChoice(entry, range);
@@ -135,10 +136,44 @@ namespace ompl_mfa
             failAt(entry, "unknown parameter of planner '" + spec.type + "'" + suggestion(entry.key, names));
         }
 
-        void setParameter(ob::Planner &planner, const PlannerSpec &spec, const ConfigEntry &entry, bool isLimit)
+        /* Keeps OMPL's warnings from its console for as long as it lives: they would say again what an error says. */
+        class NoWarnings
+        {
+        public:
+            NoWarnings()
+            {
+                ompl::msg::setLogLevel(std::max(level_, ompl::msg::LOG_ERROR));
+            }
+
+            ~NoWarnings()
+            {
+                ompl::msg::setLogLevel(level_);
+            }
+
+            NoWarnings(const NoWarnings &) = delete;
+            NoWarnings &operator=(const NoWarnings &) = delete;
+
+        private:
+            ompl::msg::LogLevel level_{ompl::msg::getLogLevel()};
+        };
+
+        void setParameter(SelectiveParam &parameter, const ConfigEntry &entry)
+        {
+            const NoWarnings noWarnings;
+            const bool isSwitch = valueType(parameter) == ValueType::SWITCH;
+            if (!parameter.setValue(isSwitch ? (switchValue(entry) ? "1" : "0") : entry.value))
+                failAt(entry, "accepted is " + parameter.accepted());
+        }
+
+        void setParameter(ob::Planner &planner, const PlannerSpec &spec, const ConfigEntry &entry)
         {
             const ob::GenericParamPtr parameter = findParameter(planner, spec, entry);
-            const std::string value = checkedValue(*parameter, entry, isLimit);
+            if (auto *selective = dynamic_cast<SelectiveParam *>(parameter.get()))
+            {
+                setParameter(*selective, entry);
+                return;
+            }
+            const std::string value = checkedValue(*parameter, entry);
             const std::string &range = parameter->getRangeSuggestion();
             const std::string accepted = range.empty() ? "" : "; its range is " + range;
             bool isSet = false;
@@ -220,7 +255,7 @@ namespace ompl_mfa
         }
         planner->setName(spec.name.empty() ? entry.title : spec.name);
         for (const auto &parameter : spec.parameters)
-            setParameter(*planner, spec, parameter, entry.isOwn);
+            setParameter(*planner, spec, parameter);
         return planner;
     }
 

@@ -113,14 +113,12 @@ namespace ompl_mfa
                 planner->setTightening(false);
                 return planner;
             };
-            made.isOwn = true;
             return made;
         }
 
         void addOwnPlanners(std::map<std::string, PlannerEntry> &table)
         {
             table["mfa"] = entry<MFA>("MFA");
-            table["mfa"].isOwn = true;
             table["mfa_paper"] = paperEntry("MFA-paper", "mfa");
             table["fa_paper"] = paperEntry("FA-paper", "fa");
         }

@@ -183,7 +183,7 @@ namespace
                   "a.cfg:10: tree_pruning = 2: expected one of 0, 1, false, true, no, yes, off, on");
         EXPECT_NE(errorOf("mfa", "population_size", "-1"), "");
         EXPECT_NE(errorOf("mfa", "population_size", "many"), "");
-        EXPECT_EQ(errorOf("mfa", "variant", "pso"), "a.cfg:10: variant = pso: expected one of mfa,fa");
+        EXPECT_EQ(errorOf("mfa", "variant", "pso"), "a.cfg:10: variant = pso: accepted is mfa, fa");
     }
 
     TEST(PlannerFactory, FractionsStayBelowOneAndLengthsAboveZero)
@@ -196,11 +196,44 @@ namespace
 
     TEST(PlannerFactory, RangesOfTheFireflyPlannersAreLimits)
     {
-        EXPECT_EQ(errorOf("mfa", "gamma", "1000"), "a.cfg:10: gamma = 1000: out of the range 0.0:0.01:100.0");
+        EXPECT_EQ(errorOf("mfa", "gamma", "1000"), "a.cfg:10: gamma = 1000: accepted is 0 to 100");
         EXPECT_EQ(errorOf("mfa_paper", "population_size", "10001"),
-                  "a.cfg:10: population_size = 10001: out of the range 0:1:10000");
+                  "a.cfg:10: population_size = 10001: accepted is 0, 4 to 10000");
+        EXPECT_EQ(errorOf("mfa", "population_size", "3"), "a.cfg:10: population_size = 3: accepted is 0, 4 to 10000");
+        EXPECT_EQ(errorOf("mfa", "population_size", "0"), "");
+        EXPECT_EQ(errorOf("mfa", "slices", "twelve"), "a.cfg:10: slices = twelve: accepted is 1 to 1000");
         EXPECT_EQ(errorOf("mfa", "seed", "4294967295"), "");
         EXPECT_NE(errorOf("mfa", "seed", "4294967296"), "");
+    }
+
+    TEST(PlannerFactory, SwitchesAreTrueAndFalse)
+    {
+        const auto valueOf = [](const std::string &type, const std::string &key, const std::string &value)
+        {
+            std::string text;
+            ompl_mfa::createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}}))->params().getParam(key, text);
+            return text;
+        };
+        const std::vector<std::pair<std::string, std::string>> switches = {
+            {"mfa", "tightening"}, {"mfa_paper", "recombination"}, {"rrtstar", "tree_pruning"}};
+        for (const auto &[type, key] : switches)
+        {
+            for (const char *on : {"true", "True", "TRUE", "1", "yes", "on"})
+                EXPECT_EQ(valueOf(type, key, on), "1") << type << " " << on;
+            for (const char *off : {"false", "False", "FALSE", "0", "no", "off"})
+                EXPECT_EQ(valueOf(type, key, off), "0") << type << " " << off;
+            for (const char *wrong : {"2", "maybe", "-1", "1.0", ""})
+                EXPECT_EQ(errorOf(type, key, wrong),
+                          "a.cfg:10: " + key + " = " + wrong + ": expected one of 0, 1, false, true, no, yes, off, on");
+        }
+    }
+
+    TEST(PlannerFactory, WhatIsRefusedIsSaidOnce)
+    {
+        testing::internal::CaptureStderr();
+        EXPECT_NE(errorOf("mfa", "population_size", "3"), "");
+        EXPECT_NE(errorOf("mfa", "alpha", "2"), "");
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "OMPL's console";
     }
 
     TEST(PlannerFactory, UnknownAndUnavailablePlannersAreRefused)

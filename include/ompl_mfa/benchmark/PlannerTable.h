@@ -20,8 +20,6 @@ namespace ompl_mfa
         bool needsSymmetry{false};
         /** \brief It relies on the triangle inequality: in other spaces it aborts or never returns. */
         bool needsMetric{false};
-        /** \brief Declared ranges are limits, not suggestions. */
-        bool isOwn{false};
     };
 
     /** \brief Every planner that createPlanner() makes, by the name that configs use. */

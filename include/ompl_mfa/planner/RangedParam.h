@@ -13,11 +13,21 @@
 
 namespace ompl_mfa
 {
+    /** \brief A planner parameter that says which values it accepts. */
+    class SelectiveParam : public ompl::base::GenericParam
+    {
+    public:
+        using GenericParam::GenericParam;
+
+        /** \brief The accepted values as people name them: "0, 4 to 10000". */
+        virtual std::string accepted() const = 0;
+    };
+
     /** \brief A planner parameter that accepts only some values. For any other setValue warns on OMPL's console with
         the parameter, the value and what is accepted, returns false and changes nothing. Blanks around a value do not
         count. What getValue returns, setValue accepts. */
     template <typename T>
-    class RangedParam : public ompl::base::GenericParam
+    class RangedParam : public SelectiveParam
     {
     public:
         using Setter = std::function<void(const T &)>;
@@ -25,7 +35,7 @@ namespace ompl_mfa
 
         /** \brief \e setter is called with accepted values only. */
         RangedParam(const std::string &name, AcceptedValues<T> accepted, Setter setter, Getter getter)
-          : GenericParam(name)
+          : SelectiveParam(name)
           , accepted_(std::move(accepted))
           , setter_(std::move(setter))
           , getter_(std::move(getter))
@@ -55,6 +65,11 @@ namespace ompl_mfa
         std::string getValue() const override
         {
             return accepted_.write(getter_());
+        }
+
+        std::string accepted() const override
+        {
+            return accepted_.description();
         }
 
     private:
