@@ -1,10 +1,9 @@
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <limits>
-#include <locale>
-#include <sstream>
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -16,6 +15,8 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/benchmark/NearbyState.h"
 #include "ompl_mfa/benchmark/ObjectiveFactory.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemSpace.h"
@@ -213,11 +214,28 @@ namespace ompl_mfa
 
         std::string describeBounds(const ob::RealVectorBounds &bounds)
         {
-            std::ostringstream out;
-            out.imbue(std::locale::classic());
+            constexpr int DIGITS = 6;
+            std::string text;
             for (std::size_t i = 0; i < bounds.low.size(); ++i)
-                out << (i == 0 ? "" : " x ") << "[" << bounds.low[i] << ", " << bounds.high[i] << "]";
-            return out.str();
+                text += (i == 0 ? "[" : " x [") + numberText(bounds.low[i], DIGITS) + ", " +
+                        numberText(bounds.high[i], DIGITS) + "]";
+            return text;
+        }
+
+        /* By how much a state collides, and where to it could go: for a slip of the pen, not for a state within an
+           obstacle. */
+        std::string describeCollision(const ob::SpaceInformation &si, StateSpaceKind kind, const ConfigPose &pose,
+                                      const ob::RealVectorBounds &bounds)
+        {
+            constexpr double SMALL_PART = 0.01;
+            constexpr int DIGITS = 4;
+            double squaredSize = 0.0;
+            for (const double length : bounds.getDifference())
+                squaredSize += length * length;
+            const auto nearby = findNearbyState(si, kind, pose, SMALL_PART * std::sqrt(squaredSize));
+            return nearby ? " by " + numberText(nearby->distance, DIGITS) + "; a valid state nearby is " +
+                                describePose(kind, nearby->pose)
+                          : "";
         }
 
         void requireValid(const og::SimpleSetup &setup, const ob::ScopedState<> &state, const std::string &which,
@@ -228,7 +246,8 @@ namespace ompl_mfa
                 failAt(pose.origin, described + " is outside the bounds " + describeBounds(bounds));
             if (!setup.getSpaceInformation()->isValid(state.get()))
                 failAt(pose.origin, described + " is in collision" +
-                                        (problem.world ? " with the world '" + problem.world->value + "'" : ""));
+                                        (problem.world ? " with the world '" + problem.world->value + "'" : "") +
+                                        describeCollision(*setup.getSpaceInformation(), problem.space, pose, bounds));
         }
     }  // namespace
 

@@ -1,8 +1,6 @@
 #include "ompl_mfa/benchmark/ProblemSpace.h"
 
-#include <locale>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 #include <ompl/base/spaces/DubinsStateSpace.h>
@@ -11,6 +9,8 @@
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
+
+#include "ompl_mfa/NumberText.h"
 
 namespace ompl_mfa
 {
@@ -107,14 +107,11 @@ namespace ompl_mfa
 
     std::string describePose(StateSpaceKind kind, const ConfigPose &pose)
     {
-        std::ostringstream out;
-        out.imbue(std::locale::classic());
-        out << "(" << pose.x << ", " << pose.y;
+        std::string text = "(" + numberText(pose.x) + ", " + numberText(pose.y);
         if (positionDimension(kind) == 3)
-            out << ", " << pose.z;
+            text += ", " + numberText(pose.z);
         if (kind != StateSpaceKind::R2 && kind != StateSpaceKind::R3)
-            out << ", theta " << pose.theta;
-        out << ")";
-        return out.str();
+            text += ", theta " + numberText(pose.theta);
+        return text + ")";
     }
 }  // namespace ompl_mfa

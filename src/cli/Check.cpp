@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -12,15 +14,20 @@
 #include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 #include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "ompl_mfa/collision/PlanarOutline.h"
 
 namespace
 {
     namespace ob = ompl::base;
     using ompl_mfa::BenchmarkConfig;
     using ompl_mfa::ProblemFactory;
+
+    /* Significant digits of what is printed. */
+    constexpr int DIGITS = 6;
 
     struct Options
     {
@@ -68,6 +75,31 @@ namespace
         }
     }
 
+    nlohmann::json describeBox(const fcl::AABBd &box)
+    {
+        return {{"min", {box.min_[0], box.min_[1], box.min_[2]}}, {"max", {box.max_[0], box.max_[1], box.max_[2]}}};
+    }
+
+    /** \brief A robot in the plane moves at z = 0; a world that stands elsewhere is no obstacle to it. */
+    std::vector<std::string> warnings(const ProblemFactory &factory)
+    {
+        const ompl_mfa::ProblemConfig &problem = factory.config().problem;
+        const auto &objects = factory.world().objects();
+        const fcl::AABBd robot = factory.robot().bounds();
+        const bool isReached =
+            std::any_of(objects.begin(), objects.end(),
+                        [&robot](const ompl_mfa::collision::CollisionObject &object)
+                        { return ompl_mfa::collision::reachesHeights(object, robot.min_[2], robot.max_[2]); });
+        if (ompl_mfa::positionDimension(problem.space) == 3 || objects.empty() || isReached)
+            return {};
+        const auto number = [](double value) { return ompl_mfa::numberText(value, DIGITS); };
+        const fcl::AABBd world = factory.world().bounds();
+        return {problem.world->origin + ": problem.world = " + problem.world->value + ": nothing of it reaches the " +
+                "heights of the planar robot, z = " + number(robot.min_[2]) + " to " + number(robot.max_[2]) +
+                ", so that there is nothing to collide with; the world's box is from z = " + number(world.min_[2]) +
+                " to " + number(world.max_[2])};
+    }
+
     nlohmann::json describe(const ProblemFactory &factory, const ompl::geometric::SimpleSetup &setup)
     {
         const BenchmarkConfig &config = factory.config();
@@ -75,31 +107,57 @@ namespace
         nlohmann::json planners = nlohmann::json::array();
         for (const auto &spec : config.planners)
             planners.push_back({{"type", spec.type}, {"name", spec.name}});
-        return {{"problem", config.problem.name},
-                {"space", ompl_mfa::spaceName(config.problem.space)},
-                {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
-                {"obstacles", factory.world().objects().size()},
-                {"robot", config.problem.robot.value},
-                {"robot_radius", factory.robot().radius()},
-                {"start_valid", true},
-                {"goal_valid", true},
-                {"straight_motion",
-                 {{"free", motion.free}, {"free_fraction", motion.freeFraction}, {"length", motion.length}}},
-                {"planners", planners}};
+        return {
+            {"problem", config.problem.name},
+            {"space", ompl_mfa::spaceName(config.problem.space)},
+            {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
+            {"obstacles", factory.world().objects().size()},
+            {"robot", config.problem.robot.value},
+            {"world_box", factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds())},
+            {"robot_radius", factory.robot().radius()},
+            {"robot_box", describeBox(factory.robot().bounds())},
+            {"world_skipped_faces", factory.world().skippedFaces()},
+            {"robot_skipped_faces", factory.robot().skippedFaces()},
+            {"warnings", warnings(factory)},
+            {"start_valid", true},
+            {"goal_valid", true},
+            {"straight_motion",
+             {{"free", motion.free}, {"free_fraction", motion.freeFraction}, {"length", motion.length}}},
+            {"planners", planners}};
+    }
+
+    std::string boxText(const nlohmann::json &box)
+    {
+        const auto corner = [](const nlohmann::json &point)
+        {
+            const auto number = [&point](int axis) { return ompl_mfa::numberText(point[axis].get<double>(), DIGITS); };
+            return "(" + number(0) + ", " + number(1) + ", " + number(2) + ")";
+        };
+        return box.is_null() ? "none" : corner(box["min"]) + " to " + corner(box["max"]);
+    }
+
+    std::string skippedText(const nlohmann::json &faces)
+    {
+        return faces == 0 ? "" : ", " + std::to_string(faces.get<std::size_t>()) + " points and lines passed over";
     }
 
     void printText(const nlohmann::json &description)
     {
         const auto &motion = description["straight_motion"];
         const ompl_mfa::PlainNumbers plainNumbers(std::cout);
-        std::cout << std::setprecision(6);
+        std::cout << std::setprecision(DIGITS);
         std::cout << "problem    " << description["problem"].get<std::string>() << "\n"
                   << "space      " << description["space"].get<std::string>() << "\n"
                   << "world      "
-                  << (description["world"].is_null() ? "empty" : description["world"].get<std::string>()) << ", "
-                  << description["obstacles"] << " obstacles\n"
-                  << "robot      " << description["robot"].get<std::string>() << ", radius "
-                  << description["robot_radius"].get<double>() << "\n"
+                  << (description["world"].is_null() ? "empty"
+                                                     : ompl_mfa::oneLine(description["world"].get<std::string>()))
+                  << ", " << description["obstacles"] << " obstacles" << skippedText(description["world_skipped_faces"])
+                  << "\n"
+                  << "world box  " << boxText(description["world_box"]) << "\n"
+                  << "robot      " << ompl_mfa::oneLine(description["robot"].get<std::string>()) << ", radius "
+                  << description["robot_radius"].get<double>() << skippedText(description["robot_skipped_faces"])
+                  << "\n"
+                  << "robot box  " << boxText(description["robot_box"]) << "\n"
                   << "start      valid\n"
                   << "goal       valid\n"
                   << "straight   ";
@@ -118,6 +176,8 @@ namespace
         const auto setup = factory.create();
         checkPlanners(factory);
         const nlohmann::json description = describe(factory, *setup);
+        for (const auto &warning : description["warnings"])
+            std::cerr << "warning: " << ompl_mfa::oneLine(warning.get<std::string>()) << std::endl;
         if (options.json)
             ompl_mfa::cli::printDocument(description);
         else

@@ -42,19 +42,8 @@ namespace ompl_mfa::cli
 
         View planarView(const ProblemFactory &problem)
         {
-            View view{fcl::Transform3d::Identity(),
-                      std::numeric_limits<double>::infinity(),
-                      -std::numeric_limits<double>::infinity(),
-                      0,
-                      1,
-                      false};
-            for (const auto &shape : problem.robot().shapes())
-            {
-                const fcl::AABBd box = collision::boundingBox(*shape.geometry, shape.pose);
-                view.zMin = std::min(view.zMin, box.min_[2]);
-                view.zMax = std::max(view.zMax, box.max_[2]);
-            }
-            return view;
+            const fcl::AABBd box = problem.robot().bounds();
+            return {fcl::Transform3d::Identity(), box.min_[2], box.max_[2], 0, 1, false};
         }
 
         View spatialView(unsigned int vertical)

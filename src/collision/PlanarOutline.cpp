@@ -1,5 +1,6 @@
 #include "ompl_mfa/collision/PlanarOutline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -198,6 +199,37 @@ namespace ompl_mfa::collision
                        pose * Eigen::Translation3d(cell[0], cell[1], cell[2]), slab, outlines);
             }
         }
+
+        // A shape is connected: it reaches all heights between its lowest and its highest.
+        template <typename Shape>
+        bool reaches(const Shape &shape, const fcl::Transform3d &pose, const Slab &slab)
+        {
+            const fcl::AABBd box = boundingBox(shape, pose);
+            return box.min_[2] <= slab.zMax && box.max_[2] >= slab.zMin;
+        }
+
+        bool reaches(const MeshGeometry &mesh, const fcl::Transform3d &pose, const Slab &slab)
+        {
+            const auto height = [&mesh, &pose](std::size_t vertex) { return (pose * mesh.vertices[vertex]).z(); };
+            return std::any_of(mesh.tri_indices, mesh.tri_indices + mesh.num_tris,
+                               [&height, &slab](const fcl::Triangle &corners)
+                               {
+                                   const auto [lowest, highest] =
+                                       std::minmax({height(corners[0]), height(corners[1]), height(corners[2])});
+                                   return lowest <= slab.zMax && highest >= slab.zMin;
+                               });
+        }
+
+        bool reaches(const OccupancyTree &map, const fcl::Transform3d &pose, const Slab &slab)
+        {
+            const auto cells = map.toBoxes();
+            return std::any_of(cells.begin(), cells.end(),
+                               [&pose, &slab](const auto &cell)
+                               {
+                                   return reaches(fcl::Boxd(fcl::Vector3d::Constant(cell[3])),
+                                                  pose * Eigen::Translation3d(cell[0], cell[1], cell[2]), slab);
+                               });
+        }
     }  // namespace
 
     std::vector<Polygon> planarOutline(const CollisionObject &object, double zMin, double zMax)
@@ -212,5 +244,13 @@ namespace ompl_mfa::collision
                        append(shape, object.pose, {zMin, zMax}, outlines);
                    });
         return outlines;
+    }
+
+    bool reachesHeights(const CollisionObject &object, double zMin, double zMax)
+    {
+        return visitShape(*object.geometry,
+                          [&object, zMin, zMax](const auto &shape) {
+                              return reaches(shape, object.pose, {zMin, zMax});
+                          });
     }
 }  // namespace ompl_mfa::collision

@@ -5,6 +5,7 @@
 
 #include "ShapeReach.h"
 #include "ompl_mfa/collision/Primitive.h"
+#include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa::collision
 {
@@ -35,6 +36,16 @@ namespace ompl_mfa::collision
             faces += shape.skippedFaces;
         }
         return faces;
+    }
+
+    fcl::AABBd RigidBody::bounds() const
+    {
+        fcl::AABBd box;
+        for (const Shape &shape : shapes_)
+        {
+            box += boundingBox(*shape.geometry, shape.pose);
+        }
+        return box;
     }
 
     RigidBody RigidBody::sphere(double radius)

@@ -44,6 +44,85 @@ TEST_F(Check, tellsThatTheStraightMotionIsFree)
     EXPECT_NE(result.out.find("straight   free, length 8\n"), std::string::npos) << result.out;
 }
 
+TEST_F(Check, printsTheBoxesOfWorldAndRobot)
+{
+    write("robot.obj", "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 1.5\nf 1 2 3\nf 1 2 4\nf 1 3 4\n");
+    const std::string file = config("start.x = 1\nstart.y = 7\nstart.theta = 0\ngoal.theta = 0\n");
+    std::string text = readFile(file);
+    text.replace(text.find("robot = disc\nrobot.radius = 0.5"), 31, "robot = robot.obj");
+    write("a.cfg", text);
+    const ProgramResult json = runProgram("check " + file + " --json");
+    ASSERT_EQ(json.status, 0) << json.err;
+    const auto document = nlohmann::json::parse(json.out);
+    EXPECT_EQ(document["world_box"]["min"], nlohmann::json({4.5, 1.0, -0.5}));
+    EXPECT_EQ(document["world_box"]["max"], nlohmann::json({5.5, 5.0, 0.5}));
+    // the reference point is the mean of the nine corners of faces in the plane; heights are those of the file
+    EXPECT_NEAR(document["robot_box"]["min"][0].get<double>(), -2.0 / 3.0, 1e-12);
+    EXPECT_EQ(document["robot_box"]["min"][2], 0.0);
+    EXPECT_NEAR(document["robot_box"]["max"][1].get<double>(), 7.0 / 3.0, 1e-12);
+    EXPECT_EQ(document["robot_box"]["max"][2], 1.5);
+    EXPECT_EQ(document["warnings"], nlohmann::json::array());
+    const ProgramResult plain = runProgram("check " + file);
+    EXPECT_NE(plain.out.find("\nworld box  (4.5, 1, -0.5) to (5.5, 5, 0.5)\n"), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("\nrobot box  (-0.666667, -0.666667, 0) to (2.33333, 2.33333, 1.5)\n"), std::string::npos)
+        << plain.out;
+    EXPECT_EQ(plain.err, "");
+}
+
+TEST_F(Check, countsThePointsAndLinesThatItPassesOver)
+{
+    write("lines.obj", "v 4 1 0\nv 5 1 0\nv 4 4 0\nv 5 4 0\nf 1 2 3\nl 1 4\nl 2 4\n");
+    const std::string file = config("start.x = 1\nstart.y = 7\n", "", "world = lines.obj\n");
+    const auto document = nlohmann::json::parse(runProgram("check " + file + " --json").out);
+    EXPECT_EQ(document["world_skipped_faces"], 2);
+    EXPECT_EQ(document["robot_skipped_faces"], 0);
+    const ProgramResult plain = runProgram("check " + file);
+    EXPECT_NE(plain.out.find("1 obstacles, 2 points and lines passed over\n"), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("robot      disc, radius 0.5\n"), std::string::npos) << plain.out;
+}
+
+TEST_F(Check, warnsWhereNothingReachesTheHeightOfAPlanarRobot)
+{
+    const auto warningOf = [this](const std::string &world)
+    {
+        const ProgramResult result = runProgram("check " + config("start.x = 1\nstart.y = 7\n", "", world) + " --json");
+        EXPECT_EQ(result.status, 0) << result.err;
+        const auto document = nlohmann::json::parse(result.out);
+        EXPECT_EQ(document["warnings"].size(), result.err.empty() ? 0U : 1U);
+        return result.err;
+    };
+    const auto box = [](const std::string &z)
+    {
+        return "world:\n  collision_objects:\n    - id: wall\n      primitives: [{type: box, dimensions: [1, 4, 1]}]\n"
+               "      primitive_poses: [{position: [5, 3, " +
+               z + "], orientation: [0, 0, 0, 1]}]\n";
+    };
+    write("high.yaml", box("2.5"));
+    const std::string warning = warningOf("world = high.yaml\n");
+    EXPECT_EQ(warning.rfind("warning: ", 0), 0U) << warning;
+    EXPECT_EQ(warning.find('\n'), warning.size() - 1) << warning;
+    for (const char *words : {"a.cfg:2: problem.world = high.yaml", "z = -0.5 to 0.5", "2 to 3"})
+        EXPECT_NE(warning.find(words), std::string::npos) << warning;
+    // a mesh that has a floor and a ceiling, and nothing between them
+    write("gap.obj", "v 0 0 -2\nv 9 0 -2\nv 9 9 -2\nv 0 0 4\nv 9 0 4\nv 9 9 4\nf 1 2 3\nf 4 5 6\n");
+    EXPECT_NE(warningOf("world = gap.obj\n").find("gap.obj"), std::string::npos);
+    write("low.yaml", box("0.9"));
+    EXPECT_EQ(warningOf("world = low.yaml\n"), "");
+    EXPECT_EQ(warningOf("world = wall.yaml\n"), "");
+    EXPECT_EQ(warningOf(""), "");
+}
+
+TEST_F(Check, saysByHowMuchAStartCollidesAndWhereToItCouldGo)
+{
+    // the disc of radius 0.5 would touch the wall at x = 4; the diagonal is 14.1, a hundredth of it 0.14
+    expectBadInput("check " + config("start.x = 4.1\nstart.y = 3\n"),
+                   {"a.cfg:5", "start (4.1, 3) is in collision with the world 'wall.yaml' by 0.1; ", "(3.998, 3)"});
+    const ProgramResult deep = runProgram("check " + config("start.x = 4.2\nstart.y = 3\n"));
+    EXPECT_EQ(deep.status, 2);
+    EXPECT_EQ(deep.err.substr(deep.err.find("start (4.2")),
+              "start (4.2, 3) is in collision with the world 'wall.yaml'\n");
+}
+
 TEST_F(Check, triesEveryPlannerOfTheConfig)
 {
     expectBadInput("check " + config(START, "prm =\nprm.max_neighbors = 3\n"),
@@ -107,6 +186,22 @@ TEST_F(Check, warnsOfWhatASceneLeavesUnset)
     EXPECT_EQ(result.err.find("warning: "), 0U) << result.err;
     EXPECT_NE(result.err.find("scene.yaml:3: object 'thing'"), std::string::npos) << result.err;
     EXPECT_EQ(result.err.find("'thing'"), result.err.rfind("'thing'")) << result.err;
+}
+
+TEST_F(Check, whatFilesHoldIsPrintedOnOneLineThatATerminalCanTake)
+{
+    write("nul.yaml",
+          "world:\n  collision_objects:\n    - id: thing\n"
+          "      primitives: [{type: \"b\\0x\\e[31m\\n\\x9B\", dimensions: [1, 1, 1]}]\n");
+    expectBadInput("check " + config(START, "", "world = nul.yaml\n"),
+                   {"nul.yaml:4", "'b\\x00x\\x1b[31m \\x9b'", "accepted are", "sphere"});
+    write("a.cfg", readFile(config()) + "mfa =\nmfa.slices = 1\x1b[2J\n");
+    expectBadInput("check " + path("a.cfg"), {"a.cfg:19", "slices = 1\\x1b[2J"});
+    const std::string world = std::string("w\x1b[7mall.yaml");
+    write(world, readFile(path("wall.yaml")));
+    const ProgramResult result = runProgram("check " + config(START, "", "world = " + world + "\n"));
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("w\\x1b[7mall.yaml, 1 obstacles"), std::string::npos) << result.out;
 }
 
 TEST_F(Check, acceptsByteOrderMarksAndAnglesBeyondPi)

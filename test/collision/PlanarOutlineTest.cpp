@@ -121,6 +121,38 @@ namespace ompl_mfa::collision
             EXPECT_NEAR(area(outline[0]), 4. + 0.25 * M_PI, 1e-3);
         }
 
+        TEST(PlanarOutline, HeightsAreReachedWhereThereIsAnOutline)
+        {
+            const CollisionObject box = primitive("box", {1., 1., 1.}, {0., 0., 2.});
+            const CollisionObject cylinder =
+                primitive("cylinder", {2., 0.5}, {0., 0., 2.}, Eigen::AngleAxisd(0.7, fcl::Vector3d::UnitX()));
+            TriangleMesh triangles;
+            triangles.vertices = {{0., 0., 0.}, {1., 0., 0.}, {1., 1., 0.5}, {0., 0., 4.}, {1., 0., 4.}, {1., 1., 4.}};
+            triangles.triangles = {{0, 1, 2}, {3, 4, 5}};
+            const CollisionObject mesh{"mesh", makeMeshGeometry(triangles)};
+            auto tree = std::make_shared<octomap::OcTree>(0.5);
+            tree->updateNode(0.25, 0.25, 0.25, true);
+            tree->updateNode(0.25, 0.25, 3.25, true);
+            const CollisionObject map{
+                "map", std::make_shared<fcl::OcTree<double>>(std::shared_ptr<const octomap::OcTree>(tree))};
+            unsigned int reached = 0;
+            for (const CollisionObject *object : {&box, &cylinder, &mesh, &map})
+            {
+                for (int step = 0; step < 60; ++step)
+                {
+                    const double low = -1.05 + 0.1 * step;
+                    for (const double height : {0., 0.07, 0.6})
+                    {
+                        const bool isReached = reachesHeights(*object, low, low + height);
+                        EXPECT_EQ(isReached, !planarOutline(*object, low, low + height).empty())
+                            << object->id << " from " << low << " to " << low + height;
+                        reached += isReached ? 1 : 0;
+                    }
+                }
+            }
+            EXPECT_GT(reached, 100U);
+        }
+
         TEST(PlanarOutline, OfAMeshIsOneConvexPieceATriangle)
         {
             TriangleMesh mesh;

@@ -41,7 +41,8 @@ namespace ompl_mfa
             that nothing of one planner reaches the next.
 
             Makes random number generators: setRandomSeed() comes before. Throws InputError when start or goal is out
-            of bounds or collides, or when a context key or value is not accepted. */
+            of bounds or collides (by less than a hundredth of the bounds' diagonal: with a valid state nearby), or when
+            a context key or value is not accepted. */
         ompl::geometric::SimpleSetupPtr create(const std::vector<ConfigEntry> &plannerContext = {}) const;
 
         /** \brief As create() with the context of \e spec, and with its planner. */

@@ -20,6 +20,10 @@ namespace ompl_mfa::collision
         obstacle outside the slab.
         \throw std::invalid_argument where zMin > zMax. */
     std::vector<Polygon> planarOutline(const CollisionObject &object, double zMin = 0., double zMax = 0.);
+
+    /** \brief Whether any part of an obstacle (a triangle of a mesh, an occupied cell of a map) has zMin <= z <= zMax.
+     */
+    bool reachesHeights(const CollisionObject &object, double zMin, double zMax);
 }  // namespace ompl_mfa::collision
 
 #endif

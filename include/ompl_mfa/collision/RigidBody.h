@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fcl/geometry/collision_geometry.h>
+#include <fcl/math/bv/AABB.h>
 
 namespace ompl_mfa::collision
 {
@@ -42,6 +43,9 @@ namespace ompl_mfa::collision
 
         /** \brief How many points and lines the mesh files of its shapes hold, which do not collide. */
         std::size_t skippedFaces() const;
+
+        /** \brief The smallest axis-aligned box that holds every shape, in the frame of the body. */
+        fcl::AABBd bounds() const;
 
         /** \brief Radius of a ball about the reference point that holds the body: the smallest for spheres, boxes and
             meshes, otherwise that of the boxes around the shapes. */

@@ -1,0 +1,148 @@
+#include "ompl_mfa/benchmark/NearbyState.h"
+
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "ompl_mfa/NumberText.h"
+#include "ompl_mfa/benchmark/ProblemSpace.h"
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        namespace ob = ompl::base;
+        using Directions = std::vector<Eigen::Vector3d>;
+
+        Directions circle()
+        {
+            constexpr int COUNT = 64;
+            Directions directions;
+            for (int i = 0; i < COUNT; ++i)
+            {
+                const double angle = 2.0 * M_PI * i / COUNT;
+                directions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+            }
+            return directions;
+        }
+
+        /* The axes, for most obstacles stand upright, and a spiral from pole to pole. */
+        Directions ball()
+        {
+            constexpr int COUNT = 200;
+            const double goldenAngle = M_PI * (3.0 - std::sqrt(5.0));
+            Directions directions;
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                directions.emplace_back(Eigen::Vector3d::Unit(axis));
+                directions.emplace_back(-Eigen::Vector3d::Unit(axis));
+            }
+            for (int i = 0; i < COUNT; ++i)
+            {
+                const double z = 1.0 - (2.0 * i + 1.0) / COUNT;
+                const double radius = std::sqrt(1.0 - z * z);
+                directions.emplace_back(radius * std::cos(goldenAngle * i), radius * std::sin(goldenAngle * i), z);
+            }
+            return directions;
+        }
+
+        /* Looks for valid states of one orientation around one position. */
+        class OutwardSearch
+        {
+        public:
+            OutwardSearch(const ob::SpaceInformation &si, StateSpaceKind kind, const ConfigPose &pose)
+              : si_(si)
+              , state_(makeState(si.getStateSpace(), kind, pose))
+              , dimension_(positionDimension(kind))
+              , pose_(pose)
+              , centre_(pose.x, pose.y, pose.z)
+            {
+            }
+
+            std::optional<NearbyState> run(double farthest)
+            {
+                constexpr double GROWTH = 1.3;
+                constexpr int RADII = 32;
+                const Directions directions = dimension_ == 3 ? ball() : circle();
+                double inner = 0.0;
+                for (int i = RADII; i >= 0; --i)
+                {
+                    const double radius = farthest * std::pow(GROWTH, -i);
+                    double least = INFINITY;
+                    Eigen::Vector3d towards;
+                    for (const Eigen::Vector3d &direction : directions)
+                    {
+                        if (!isValid(centre_ + radius * direction))
+                            continue;
+                        const double distance = narrowed(direction, inner, radius);
+                        if (distance < least)
+                        {
+                            least = distance;
+                            towards = direction;
+                        }
+                    }
+                    if (std::isfinite(least))
+                        return written(towards, least);
+                    inner = radius;
+                }
+                return std::nullopt;
+            }
+
+        private:
+            bool isValid(const Eigen::Vector3d &position)
+            {
+                for (unsigned int i = 0; i < dimension_; ++i)
+                    *si_.getStateSpace()->getValueAddressAtIndex(state_.get(), i) = position[i];
+                return si_.satisfiesBounds(state_.get()) && si_.isValid(state_.get());
+            }
+
+            /* The distance at which the state becomes valid, between one where it is not and one where it is. */
+            double narrowed(const Eigen::Vector3d &direction, double invalid, double valid)
+            {
+                constexpr int HALVINGS = 25;
+                for (int i = 0; i < HALVINGS; ++i)
+                {
+                    const double middle = 0.5 * (invalid + valid);
+                    (isValid(centre_ + middle * direction) ? valid : invalid) = middle;
+                }
+                return valid;
+            }
+
+            /* A user writes the coordinates into a config: those with few digits, and a touch is a collision. */
+            NearbyState written(const Eigen::Vector3d &direction, double distance)
+            {
+                constexpr double MARGIN = 1.02;
+                constexpr int ALL_DIGITS = 17;
+                Eigen::Vector3d position;
+                for (const int digits : {4, 6, 9, ALL_DIGITS})
+                {
+                    const double reach = digits == ALL_DIGITS ? distance : MARGIN * distance;
+                    for (int i = 0; i < 3; ++i)
+                        readNumber(numberText(centre_[i] + reach * direction[i], digits), position[i]);
+                    if (isValid(position) && (position - centre_).norm() <= MARGIN * distance * (1.0 + ROUNDING))
+                        break;
+                }
+                NearbyState nearby{pose_, distance};
+                nearby.pose.x = position.x();
+                nearby.pose.y = position.y();
+                nearby.pose.z = position.z();
+                return nearby;
+            }
+
+            static constexpr double ROUNDING = 1e-9;
+
+            const ob::SpaceInformation &si_;
+            ob::ScopedState<> state_;
+            unsigned int dimension_;
+            ConfigPose pose_;
+            Eigen::Vector3d centre_;
+        };
+    }  // namespace
+
+    std::optional<NearbyState> findNearbyState(const ob::SpaceInformation &si, StateSpaceKind kind,
+                                               const ConfigPose &pose, double farthest)
+    {
+        return OutwardSearch(si, kind, pose).run(farthest);
+    }
+}  // namespace ompl_mfa
