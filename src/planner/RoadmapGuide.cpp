@@ -9,6 +9,8 @@
 
 #include <ompl/tools/config/SelfConfig.h>
 
+#include "ompl_mfa/planner/TurnMeter.h"
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa
@@ -42,12 +44,8 @@ namespace ompl_mfa
       , pruned_(std::numeric_limits<double>::infinity())
       , sample_(chart_->space()->allocState())
     {
-        nearest_->setDistanceFunction(
-            [this](std::size_t a, std::size_t b)
-            {
-                evaluator_.addDistance();
-                return chart_->distance(graph_.state(a), graph_.state(b));
-            });
+        nearest_->setDistanceFunction([this](std::size_t a, std::size_t b)
+                                      { return chart_->distance(graph_.state(a), graph_.state(b)); });
         renew();
     }
 
@@ -83,6 +81,7 @@ namespace ompl_mfa
         const double factor = boost::math::constants::e<double>() * (1.0 + 1.0 / d);
         const auto k = static_cast<std::size_t>(std::ceil(factor * std::log(static_cast<double>(vertex + 2))));
         nearest_->nearestK(vertex, k, neighbours_);
+        evaluator_.addDistances(neighbourDistances(*chart_->space(), nearest_->size()));
         const bool bothWays = chart_->space()->hasSymmetricDistance() && chart_->space()->hasSymmetricInterpolate();
         for (const std::size_t neighbour : neighbours_)
         {

@@ -6,6 +6,8 @@
 
 #include <ompl/tools/config/SelfConfig.h>
 
+#include "ompl_mfa/planner/TurnMeter.h"
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa
@@ -32,9 +34,9 @@ namespace ompl_mfa
             tree->nearest.reset(ompl::tools::SelfConfig::getDefaultNearestNeighbors<Vertex *>(planner));
         // distances are taken along the motions of each tree, away from the start or toward the goal
         startTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
-                                                { return distance(a->state, b->state); });
+                                                { return chart_->distance(a->state, b->state); });
         goalTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
-                                               { return distance(b->state, a->state); });
+                                               { return chart_->distance(b->state, a->state); });
     }
 
     TreeGuide::~TreeGuide()
@@ -87,29 +89,25 @@ namespace ompl_mfa
         }
     }
 
-    double TreeGuide::distance(const ob::State *from, const ob::State *to) const
-    {
-        evaluator_.addDistance();
-        return chart_->distance(from, to);
-    }
-
     TreeGuide::Vertex *TreeGuide::nearest(Tree &tree, const ob::State *state, bool fromStart)
     {
         evaluator_.addWork(NEIGHBOUR_WORK);
         if (chart_->space()->hasSymmetricDistance())
         {
             probe_.state = const_cast<ob::State *>(state);  // the probe is only read
+            evaluator_.addDistances(neighbourDistances(*chart_->space(), tree.vertices.size()));
             return tree.nearest->nearest(&probe_);
         }
         // nearest-neighbour structures take distances to be symmetric
-        const auto distanceOf = [&](const std::unique_ptr<Vertex> &vertex)
-        { return fromStart ? distance(vertex->state, state) : distance(state, vertex->state); };
+        const auto distance = [&](const std::unique_ptr<Vertex> &vertex)
+        { return fromStart ? chart_->distance(vertex->state, state) : chart_->distance(state, vertex->state); };
         evaluator_.addWork(tree.vertices.size());
+        evaluator_.addDistances(tree.vertices.size());
         std::size_t best = 0;
-        double bestDistance = distanceOf(tree.vertices[0]);
+        double bestDistance = distance(tree.vertices[0]);
         for (std::size_t i = 1; i < tree.vertices.size(); ++i)
         {
-            const double d = distanceOf(tree.vertices[i]);
+            const double d = distance(tree.vertices[i]);
             if (d < bestDistance)
             {
                 bestDistance = d;

@@ -1,5 +1,8 @@
 #include "ompl_mfa/planner/TurnMeter.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
@@ -14,6 +17,12 @@ namespace ompl_mfa
         /* Time of a unit of bookkeeping, and of what a search of neighbours does with a distance, in s. */
         constexpr double BOOKKEEPING_TIME = 1e-7;
         constexpr double NEIGHBOUR_TIME = 20e-9;
+        /* Distances computed by a search: in a tree (GNAT) so many for each of its levels, by the dimension of the
+           space, and for each state where the distance is no metric. Fitted to 3000 and 15000 states of R^2 to R^16,
+           SE(2) and SE(3). */
+        constexpr double TREE_SEARCH = 7.0;
+        constexpr double TREE_GROWTH = 1.65;
+        constexpr double LINEAR_SEARCH = 3.0;
 
         /* Time of computing a distance in nearest-neighbour searches among thousands of states of each space, in s. */
         double computingTime(const ob::StateSpace &space)
@@ -38,6 +47,15 @@ namespace ompl_mfa
     double distanceTime(const ob::StateSpace &space)
     {
         return NEIGHBOUR_TIME + computingTime(space);
+    }
+
+    std::uint64_t neighbourDistances(const ob::StateSpace &space, std::size_t states)
+    {
+        const auto n = static_cast<double>(states);
+        if (!space.isMetricSpace())
+            return static_cast<std::uint64_t>(LINEAR_SEARCH * n);
+        const double perLevel = TREE_SEARCH * std::pow(TREE_GROWTH, space.getDimension());
+        return static_cast<std::uint64_t>(std::min(n, perLevel * std::log2(n + 1.0)));
     }
 
     TurnMeter::TurnMeter(const PathEvaluator &evaluator, double stateCheckTime)

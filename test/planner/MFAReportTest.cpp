@@ -82,7 +82,7 @@ namespace ompl_mfa
             planner_->solve(test::afterCalls(20000));
             planner_->getPlannerData(data_);
             // fireflies and the best path have a few dozen states each
-            EXPECT_GT(data_.numVertices(), 500U);
+            EXPECT_GT(data_.numVertices(), 200U);
             EXPECT_GT(data_.numEdges(), 50U);
         }
 

@@ -53,9 +53,19 @@ namespace ompl_mfa
             EXPECT_NEAR(meter.spent(), 12.1, 1e-5);
             evaluator_.addChecks(2);
             EXPECT_NEAR(meter.spent(), 18.1, 1e-5);
-            for (unsigned int i = 0; i < 1000000; ++i)
-                evaluator_.addDistance();
+            evaluator_.addDistances(1000000);
             EXPECT_NEAR(meter.spent(), 18.1 + 1e6 * distanceTime(*problem_.si->getStateSpace()), 1e-5);
+        }
+
+        TEST_F(TurnMeterTest, NeighboursTakeMoreDistancesTheMoreStatesAndDimensionsThereAre)
+        {
+            EXPECT_EQ(neighbourDistances(*test::realVectorSpace(2), 0), 0U);
+            EXPECT_LE(neighbourDistances(*test::realVectorSpace(16), 1000), 1000U);
+            EXPECT_LT(neighbourDistances(*test::realVectorSpace(2), 1000),
+                      neighbourDistances(*test::realVectorSpace(4), 1000));
+            EXPECT_LT(neighbourDistances(*test::realVectorSpace(2), 1000),
+                      neighbourDistances(*test::realVectorSpace(2), 2000));
+            EXPECT_GE(neighbourDistances(ob::DubinsStateSpace(), 1000), 1000U);
         }
 
         TEST_F(TurnMeterTest, DistancesOfCarsTakeLongest)

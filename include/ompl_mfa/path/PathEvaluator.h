@@ -169,17 +169,17 @@ namespace ompl_mfa
             bookkeeping_ += work;
         }
 
-        /** \brief Distances that were computed for costs of motions and, as others counted them, for neighbours. They are
-            no part of work(). */
+        /** \brief Distances that were computed for costs of motions and, as others estimated them, for neighbours. They
+            are no part of work(). */
         std::uint64_t distances() const
         {
             return distances_;
         }
 
-        /** \brief Counts a distance that was computed elsewhere. */
-        void addDistance()
+        /** \brief Counts distances that were computed elsewhere. */
+        void addDistances(std::uint64_t count)
         {
-            ++distances_;
+            distances_ += count;
         }
 
         /** \brief Counts state checks that were made by others. */

@@ -62,7 +62,6 @@ namespace ompl_mfa
         void freeVertices(Tree &tree);
         Vertex *addVertex(Tree &tree, const ompl::base::State *state, const Vertex *parent);
         void addRoots(const Query &query, double bound);
-        double distance(const ompl::base::State *from, const ompl::base::State *to) const;
         Vertex *nearest(Tree &tree, const ompl::base::State *state, bool fromStart);
         Extension extend(Tree &tree, bool fromStart, const ompl::base::State *target, Vertex *&added);
         bool iterate(const Query &query, double bound, Waypoints &path);

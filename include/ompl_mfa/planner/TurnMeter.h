@@ -12,6 +12,10 @@ namespace ompl_mfa
        on a machine of 2020 or so: an estimate that is the same on all machines. */
     double distanceTime(const ompl::base::StateSpace &space);
 
+    /** \brief An estimate of how many distances a search for nearest neighbours among \e states computes. OMPL's
+        structures draw random numbers that no seed fixes, so that a count would differ from run to run. */
+    std::uint64_t neighbourDistances(const ompl::base::StateSpace &space, std::size_t states);
+
     /** \brief Measures what a turn costs, in s: by a clock, or, where a run has to repeat, by counted work.
 
         The clock is that of the wall: what a validity checker spends in other threads, or waiting for an answer, is
