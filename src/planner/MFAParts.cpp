@@ -179,11 +179,23 @@ namespace ompl_mfa
         if (followedStraight_ || !guided() || incumbent_->hasPath() || evaluator_->work() < FIRST_TREES ||
             query_->goals().empty())
             return;
-        Waypoints path(si_->getStateSpace());
-        path.append(query_->starts().front());
-        path.append(query_->goals().front());
-        evaluator_->evaluate(path, nullptr);
+        evaluator_->evaluate(straightPath(query_->starts().front(), query_->goals().front()), nullptr);
         followedStraight_ = true;
+    }
+
+    /* The motion from start to goal; where OMPL cannot compute that, one next to it in two parts. */
+    Waypoints MFA::straightPath(const ob::State *start, const ob::State *goal) const
+    {
+        Waypoints path(si_->getStateSpace());
+        path.append(start);
+        if (!chart_->guard().allows(start, goal))
+        {
+            path.resize(2);
+            chart_->interpolate(start, goal, 0.5, path[1]);
+            si_->enforceBounds(path[1]);
+        }
+        path.append(goal);
+        return path;
     }
 
     bool MFA::guided() const
@@ -193,9 +205,7 @@ namespace ompl_mfa
 
     void MFA::tryStraightMotion(std::size_t start, std::size_t goal)
     {
-        Waypoints path(si_->getStateSpace());
-        path.append(query_->starts()[start]);
-        path.append(query_->goals()[goal]);
+        const Waypoints path = straightPath(query_->starts()[start], query_->goals()[goal]);
         const double cost = evaluator_->cost(path).value();
         if (evaluator_->checkPath(path))
             offer(path, cost);

@@ -55,8 +55,8 @@ namespace ompl_mfa
                                               {19.0, 16.0, 0.0});
                 const auto planner = problem.planner(test::Engine::Default, seed);
                 ASSERT_EQ(planner->solve(test::afterCalls(20000)), ob::PlannerStatus::EXACT_SOLUTION) << seed;
-                // bent twice by as much as the corridor asks for: 18 across and 12 up
-                EXPECT_LT(planner->bestCost(), 24.0) << seed;
+                // 18 across and 12 up, by the corridor
+                EXPECT_LT(planner->bestCost(), 25.0) << seed;
                 use(problem.path());
             }
         }

@@ -160,6 +160,7 @@ namespace ompl_mfa
         void takeTurn(Part part, std::uint64_t work);
         void tryStraightMotions();
         void followStraightMotion();
+        Waypoints straightPath(const ompl::base::State *start, const ompl::base::State *goal) const;
         bool guided() const;
         void tryStraightMotion(std::size_t start, std::size_t goal);
         void laySwarms();
