@@ -72,10 +72,15 @@ namespace ompl_mfa
         Planner::setup();
         setup_ = false;  // where the space is refused, it is refused each time
         chart_ = std::make_shared<StateChart>(si_->getStateSpace());
+        requireFiniteExtent();
+        setup_ = true;
+    }
+
+    void MFA::requireFiniteExtent() const
+    {
         if (!std::isfinite(si_->getStateSpace()->getMaximumExtent()))
             throw ompl::Exception(getName(), "cannot plan in the state space '" + si_->getStateSpace()->getName() +
                                                  "': its bounds are infinite, or too large for a finite distance");
-        setup_ = true;
     }
 
     void MFA::clear()
@@ -110,6 +115,8 @@ namespace ompl_mfa
     void MFA::prepareQuery(const ob::PlannerTerminationCondition &ptc)
     {
         const std::vector<double> bounds = chart_->bounds();
+        if (bounds != searchBounds_)
+            requireFiniteExtent();
         if (evaluator_ && bounds == searchBounds_ && !query_->differsFrom(*pdef_) && bestPathHolds(ptc))
             return;
         if (evaluator_)

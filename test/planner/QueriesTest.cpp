@@ -682,6 +682,8 @@ namespace ompl_mfa
             setSquare(problem_->si, 0.0, 20.0);
             expectExact(planner_->solve(test::untilExact(problem_->pdef)));
             EXPECT_GE(planner_->bestCost(), test::wallOptimum(12.0) - 1e-9);
+            setSquare(problem_->si, -HUGE_VAL, HUGE_VAL);
+            EXPECT_THROW(planner_->solve(test::afterCalls(2000)), ompl::Exception);
         }
 
         TEST_P(Queries, AGoalBeyondTheBoundsIsReachedOnceTheyAreEnlarged)

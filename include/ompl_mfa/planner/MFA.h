@@ -144,6 +144,7 @@ namespace ompl_mfa
         ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition &ptc);
         ompl::base::PlannerStatus::StatusType begin(const ompl::base::PlannerTerminationCondition &ptc);
         bool bestPathHolds(const ompl::base::PlannerTerminationCondition &ptc);
+        void requireFiniteExtent() const;
         void prepareQuery(const ompl::base::PlannerTerminationCondition &ptc);
         void prepareParts();
         void shareForFirstPath();
