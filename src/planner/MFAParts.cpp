@@ -33,6 +33,8 @@ namespace ompl_mfa
            the path once. */
         constexpr unsigned int TIGHTENING_ROUNDS = 8;
         constexpr std::uint64_t TIGHTENING_FACTOR = 3;
+        /* How far beside a motion that OMPL cannot compute a state lies, in parts of its length. */
+        constexpr double ASIDE = 1e-4;
         /* Motions between a firefly and the path that tell whether they are of one homotopy class. */
         constexpr unsigned int RUNGS = 7;
         /* A new path is given up once so many more rounds like the last would not make it the best. */
@@ -183,18 +185,26 @@ namespace ompl_mfa
         followedStraight_ = true;
     }
 
-    /* The motion from start to goal; where OMPL cannot compute that, one next to it in two parts. */
+    /* The motion from start to goal; where OMPL cannot compute that, two motions over a state a little beside it. */
     Waypoints MFA::straightPath(const ob::State *start, const ob::State *goal) const
     {
         Waypoints path(si_->getStateSpace());
         path.append(start);
-        if (!chart_->guard().allows(start, goal))
+        path.append(goal);
+        const DubinsGuard &guard = chart_->guard();
+        const double aside = ASIDE * chart_->distance(start, goal);
+        if (guard.allows(start, goal) || !std::isfinite(aside))
+            return path;
+        path.insert(1, start);
+        for (Eigen::Index i = 0; i < 2 * chart_->positionDimension(); ++i)
         {
-            path.resize(2);
             chart_->interpolate(start, goal, 0.5, path[1]);
             si_->enforceBounds(path[1]);
+            const Eigen::VectorXd step = Eigen::VectorXd::Unit(chart_->dimension(), i / 2);
+            chart_->displace(path[1], (i % 2 == 0 ? aside : -aside) * step, path[1]);
+            if (guard.allows(start, path[1]) && guard.allows(path[1], goal))
+                break;
         }
-        path.append(goal);
         return path;
     }
 
