@@ -163,7 +163,7 @@ namespace ompl_mfa
         if (!exact)
         {
             double distance = 0.0;
-            query_->goal()->isSatisfied(path.back(), &distance);
+            isSatisfied(*query_->goal(), chart_->guard(), path.back(), &distance);
             incumbent_->setPartialDistance(distance);
         }
         const StopConditionScope stopCondition(*evaluator_, ptc);
