@@ -288,7 +288,8 @@ namespace
 
     TEST(PlannerFactory, EveryRangeOfTheFireflyPlannersIsReadable)
     {
-        const std::regex range("[0-9.]+:[0-9.]+:[0-9.]+|\\w+(,\\w+)+");
+        const std::string number = "[0-9.]+(e[+-][0-9]+)?";
+        const std::regex range(number + ":" + number + ":" + number + "|\\w+(,\\w+)+");
         for (const char *name : {"mfa", "mfa_paper", "fa_paper"})
             for (const auto &parameter : ompl_mfa::plannerParameters(name))
                 EXPECT_TRUE(std::regex_match(parameter.range, range)) << name << "." << parameter.name;

@@ -50,6 +50,8 @@ namespace ompl_mfa::collision
             LocaleTest()
             {
                 folder_.write("scene.yaml", scene);
+                folder_.write("text.scene",
+                              "name\n* box\n1\nbox\n1.5 0.5 0.25\n1234.5 0.125 0\n0 0 0.6 0.8\n0 0 0 0.5\n.\n");
                 folder_.write("map.bt", map());
                 folder_.write("plain.obj", "v 0.5 0.25 0\nv 1234.5 0 0.75\nv 0 1.5 0.125\nf 1 2 3\n");
                 folder_.write("plain.off", "OFF\n3 1 3\n0.5 0.25 0\n1234.5 0 0.75\n0 1.5 0.125\n3 0 1 2\n");
@@ -72,11 +74,11 @@ namespace ompl_mfa::collision
             void expectBoxes(const std::map<std::string, Eigen::Matrix<double, 6, 1>> &expected) const
             {
                 const auto found = boxes();
-                ASSERT_EQ(expected.size(), 6U);
+                ASSERT_EQ(expected.size(), 7U);
                 for (const auto &[name, box] : expected)
                 {
-                    EXPECT_EQ(found.at(name), box) << name << ": " << found.at(name).transpose() << " instead of "
-                                                   << box.transpose();
+                    EXPECT_EQ(found.at(name), box)
+                        << name << ": " << found.at(name).transpose() << " instead of " << box.transpose();
                 }
             }
 
@@ -110,15 +112,17 @@ namespace ompl_mfa::collision
             expectInputError(
                 [this]
                 {
-                    loadScene(folder_.write("a.yaml", "world:\n  collision_objects:\n    - id: a\n      primitives: "
-                                                      "[{type: sphere, dimensions: [-1234.5]}]\n"));
+                    loadScene(folder_.write("a.yaml",
+                                            "world:\n  collision_objects:\n    - id: a\n      primitives: "
+                                            "[{type: sphere, dimensions: [-1234.5]}]\n"));
                 },
                 "sphere radius = -1234.5:");
             expectInputError(
                 [this]
                 {
-                    loadScene(folder_.write("c.yaml", "world:\n  collision_objects:\n    - id: a\n      primitives: "
-                                                      "[{type: sphere, dimensions: ['1,5']}]\n"));
+                    loadScene(folder_.write("c.yaml",
+                                            "world:\n  collision_objects:\n    - id: a\n      primitives: "
+                                            "[{type: sphere, dimensions: ['1,5']}]\n"));
                 },
                 "c.yaml:4", "1,5", "finite number");
         }
