@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <chrono>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +30,7 @@ namespace
 
     /* Significant digits of what is printed. */
     constexpr int DIGITS = 6;
+    constexpr int CHECK_TIME_DIGITS = 2;
 
     struct Options
     {
@@ -55,6 +58,42 @@ namespace
         motion.freeFraction = motion.free ? 1.0 : lastValid.second;
         motion.length = si->distance(start, goal);
         return motion;
+    }
+
+    /** \brief What the check of a valid state takes, in microseconds: of several rounds over uniform states the
+        quickest, since other programs can only make one slower. */
+    double stateCheckTime(const ompl::base::SpaceInformation &si)
+    {
+        constexpr unsigned int STATES = 200;
+        constexpr unsigned int ROUNDS = 10;
+        constexpr double SHORTEST_ROUND = 1e-3;
+        std::vector<ob::State *> states(STATES);
+        si.allocStates(states);
+        const auto sampler = si.allocStateSampler();
+        // a planner checks far more states that are valid than such as are not
+        for (ob::State *state : states)
+        {
+            constexpr unsigned int TRIES = 100;
+            for (unsigned int i = 0; i == 0 || (i < TRIES && !si.isValid(state)); ++i)
+                sampler->sampleUniform(state);
+        }
+        double best = std::numeric_limits<double>::infinity();
+        for (unsigned int round = 0; round < ROUNDS; ++round)
+        {
+            std::size_t checks = 0;
+            double seconds = 0.0;
+            const auto begin = std::chrono::steady_clock::now();
+            while (seconds < SHORTEST_ROUND)
+            {
+                for (const ob::State *state : states)
+                    si.isValid(state);
+                checks += STATES;
+                seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            }
+            best = std::min(best, seconds / static_cast<double>(checks));
+        }
+        si.freeStates(states);
+        return 1e6 * best;
     }
 
     /** \brief Makes and sets up every planner of the config: what would fail in a campaign fails here. */
@@ -118,6 +157,7 @@ namespace
             {"robot_box", describeBox(factory.robot().bounds())},
             {"world_skipped_faces", factory.world().skippedFaces()},
             {"robot_skipped_faces", factory.robot().skippedFaces()},
+            {"state_check_time", stateCheckTime(*setup.getSpaceInformation())},
             {"warnings", warnings(factory)},
             {"start_valid", true},
             {"goal_valid", true},
@@ -166,6 +206,10 @@ namespace
         else
             std::cout << "blocked after " << motion["free_fraction"].get<double>() << " of length "
                       << motion["length"].get<double>() << "\n";
+        std::cout << "check      " << std::setprecision(CHECK_TIME_DIGITS)
+                  << description["state_check_time"].get<double>()
+                  << " microseconds a state; for planners of this project with a seed: mfa.state_check_time="
+                  << description["state_check_time"].get<double>() << "\n";
         std::cout << "planners   " << description["planners"].size() << "\n";
     }
 

@@ -44,6 +44,23 @@ TEST_F(Check, tellsThatTheStraightMotionIsFree)
     EXPECT_NE(result.out.find("straight   free, length 8\n"), std::string::npos) << result.out;
 }
 
+TEST_F(Check, measuresAStateCheckForTheConfig)
+{
+    const std::string file = config("start.x = 1\nstart.y = 7\n");
+    const ProgramResult json = runProgram("check " + file + " --json");
+    ASSERT_EQ(json.status, 0) << json.err;
+    const double time = nlohmann::json::parse(json.out)["state_check_time"];
+    EXPECT_GT(time, 0.0);
+    const ProgramResult plain = runProgram("check " + file);
+    // what it prints is a line of the config
+    const std::size_t line = plain.out.find("mfa.state_check_time=");
+    ASSERT_NE(line, std::string::npos) << plain.out;
+    const std::string setting = plain.out.substr(line, plain.out.find('\n', line) - line);
+    const ProgramResult again = runProgram("plan " + file + " --planner mfa --iterations 500 --seed 3 --parameter " +
+                                           setting.substr(setting.find('.') + 1));
+    EXPECT_EQ(again.status, 0) << setting << ": " << again.err;
+}
+
 TEST_F(Check, printsTheBoxesOfWorldAndRobot)
 {
     write("robot.obj", "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 1.5\nf 1 2 3\nf 1 2 4\nf 1 3 4\n");
