@@ -100,7 +100,7 @@ namespace ompl_mfa
         publishing_.reset();
         publishedPath_.reset();
         unpublished_ = improving_ = false;
-        triedStarts_ = triedGoals_ = 0;
+        triedGoals_.clear();
         iterations_ = 0;
         evaluations_ = 0;
     }

@@ -166,13 +166,16 @@ namespace ompl_mfa
     {
         const Waypoints &starts = query_->starts();
         const Waypoints &goals = query_->goals();
+        triedGoals_.resize(starts.size(), 0);
         for (std::size_t i = 0; i < starts.size(); ++i)
         {
-            for (std::size_t j = i < triedStarts_ ? triedGoals_ : 0; j < goals.size(); ++j)
-                tryStraightMotion(i, j);
+            for (std::size_t &j = triedGoals_[i]; j < goals.size(); ++j)
+            {
+                // one that the stop condition cut short has its turn in the next solve()
+                if (evaluator_->stopped() || !tryStraightMotion(i, j))
+                    return;
+            }
         }
-        triedStarts_ = starts.size();
-        triedGoals_ = goals.size();
     }
 
     /* Where guides search, how far the straight motion leads is only asked once they have not found a path soon. */
@@ -213,17 +216,22 @@ namespace ompl_mfa
         return trees_ || hasRoadmap_ || plannerGuide_;
     }
 
-    void MFA::tryStraightMotion(std::size_t start, std::size_t goal)
+    /* False if the stop condition cut the check short. */
+    bool MFA::tryStraightMotion(std::size_t start, std::size_t goal)
     {
         const Waypoints path = straightPath(query_->starts()[start], query_->goals()[goal]);
         const double cost = evaluator_->cost(path).value();
-        if (evaluator_->checkPath(path))
+        const bool valid = evaluator_->checkPath(path);
+        if (evaluator_->interrupted())
+            return false;
+        if (valid)
             offer(path, cost);
         else if (!guided())
             evaluator_->evaluate(path, nullptr);  // for the partial path
         ++evaluations_;
         if (swarms_.size() + axes_.size() < MAX_SWARMS)
             axes_.emplace_back(start, goal);
+        return true;
     }
 
     /* Swarms on straight axes are made when the first of them is to fly: as a rule a guide has found a path before. */

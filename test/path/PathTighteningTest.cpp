@@ -312,9 +312,9 @@ namespace ompl_mfa
                     PathTightening tightening(std::make_shared<const StateChart>(space_), evaluator, seed);
                     // above the ball, through the band
                     const Waypoints path =
-                        single ? test::planarPath(space_, {{-6.0, 2.8}, {6.0, 2.8}})
-                               : test::planarPath(space_,
-                                                  {{-6.0, 0.0}, {-5.0, 2.8}, {1.0, 2.8}, {5.0, 2.8}, {6.0, 0.0}});
+                        single
+                            ? test::planarPath(space_, {{-6.0, 2.8}, {6.0, 2.8}})
+                            : test::planarPath(space_, {{-6.0, 0.0}, {-5.0, 2.8}, {1.0, 2.8}, {5.0, 2.8}, {6.0, 0.0}});
                     ASSERT_TRUE(evaluator.checkPath(path));
                     ASSERT_TRUE(std::isinf(evaluator.cost(path).value()));
                     tightening.begin(path);

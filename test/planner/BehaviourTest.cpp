@@ -51,6 +51,18 @@ namespace ompl_mfa
         INSTANTIATE_TEST_SUITE_P(Planner, Behaviour, ::testing::Values(test::Engine::Default, test::Engine::Paper),
                                  test::EngineName());
 
+        TEST_P(Behaviour, AStraightMotionThatWasCutShortIsTriedAgain)
+        {
+            for (unsigned int calls = 1; calls <= 12; ++calls)
+            {
+                const auto problem = test::freeProblem();
+                const auto planner = problem->planner(GetParam());
+                planner->solve(test::afterCalls(calls));
+                planner->solve(test::afterCalls(2000));
+                EXPECT_NEAR(planner->bestCost(), 8.0, 1e-9) << calls;
+            }
+        }
+
         TEST_P(Behaviour, SolvingAgainContinuesAndIsNeverWorse)
         {
             ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);

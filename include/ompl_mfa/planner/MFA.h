@@ -163,7 +163,7 @@ namespace ompl_mfa
         void followStraightMotion();
         Waypoints straightPath(const ompl::base::State *start, const ompl::base::State *goal) const;
         bool guided() const;
-        void tryStraightMotion(std::size_t start, std::size_t goal);
+        bool tryStraightMotion(std::size_t start, std::size_t goal);
         void laySwarms();
         std::unique_ptr<Swarm> makeSwarm(SliceFrame frame, std::uint64_t seed);
         void takeFirefly(const Waypoints &path, double cost);
@@ -216,13 +216,12 @@ namespace ompl_mfa
 
         Waypoints firefly_;  ///< the best of this turn's valid fireflies that are worse than the best path
         double fireflyCost_{0.0};
-        Waypoints untaken_;             ///< a path of which the stop condition left the cost unknown
-        unsigned int probes_{0};        ///< detours held against the objective's bounds
-        std::size_t triedStarts_{0};    ///< starts whose straight motions to all goals were tried
-        std::size_t triedGoals_{0};     ///< goals whose straight motions from all starts were tried
-        bool followedStraight_{false};  ///< whether the first straight motion has served as partial path
-        bool paper_{false};             ///< whether this search is the paper's algorithm and nothing else
-        bool improving_{false};         ///< whether the parts share the time as they do once there is a path
+        Waypoints untaken_;                    ///< a path of which the stop condition left the cost unknown
+        unsigned int probes_{0};               ///< detours held against the objective's bounds
+        std::vector<std::size_t> triedGoals_;  ///< of each start: goals to which the straight motion was tried
+        bool followedStraight_{false};         ///< whether the first straight motion has served as partial path
+        bool paper_{false};                    ///< whether this search is the paper's algorithm and nothing else
+        bool improving_{false};                ///< whether the parts share the time as they do once there is a path
         PublishingSchedule publishing_;
         bool unpublished_{false};  ///< whether the best path is better than the last one that was published
         ompl::base::PathPtr publishedPath_;
