@@ -218,18 +218,22 @@ namespace ompl_mfa
                     spec = config_.planners.rbegin();
                 }
                 last_ = static_cast<std::size_t>(config_.planners.rend() - spec) - 1;
-                if (parameter.key != "name")
-                    addOnce(spec->parameters, parameter);
-                else if (parameter.value.empty())
-                    failAt(parameter, "a planner's name cannot be empty");
-                else if (hasControlCharacter(parameter.value) || fileNamePart(parameter.value).size() > LONGEST_NAME)
-                    failAt(parameter,
-                           "a planner's name has no control characters and at most 100 bytes, of which '/' "
-                           "and '%' take three");
-                else if (!spec->name.empty())
-                    failAt(parameter, "this planner is already named '" + spec->name + "'");
+                if (parameter.key == "name")
+                    namePlanner(*spec, parameter);
                 else
-                    spec->name = parameter.value;
+                    addOnce(spec->parameters, parameter);
+            }
+
+            static void namePlanner(PlannerSpec &spec, const ConfigEntry &parameter)
+            {
+                const std::string &name = parameter.value;
+                if (name.empty())
+                    failAt(parameter, "a planner's name cannot be empty");
+                if (hasControlCharacter(name) || fileNamePart(name).size() > LONGEST_NAME)
+                    failAt(parameter, "accepted is a name without control characters, of at most 100 bytes ('/', '%': 3)");
+                if (!spec.name.empty())
+                    failAt(parameter, "this planner is already named '" + spec.name + "'");
+                spec.name = name;
             }
 
             static void addOnce(std::vector<ConfigEntry> &entries, const ConfigEntry &entry)
@@ -268,9 +272,11 @@ namespace ompl_mfa
                 const ConfigEntry *name = find(problem_, "name");
                 problem.name = name ? name->value : config_.file.stem().string();
                 if (!isFileName(problem.name))
+                {
                     failAt(name ? *name : ConfigEntry{"problem.name", problem.name, config_.file.string()},
                            "the log has this name; accepted is a file's name of at most 100 bytes, without '/' and "
                            "control characters, not '.' or '..'");
+                }
                 if (const ConfigEntry *world = find(problem_, "world"))
                     problem.world = *world;
                 problem.start = readPose("start");

@@ -245,9 +245,11 @@ namespace ompl_mfa
             if (!setup.getStateSpace()->satisfiesBounds(state.get()))
                 failAt(pose.origin, described + " is outside the bounds " + describeBounds(bounds));
             if (!setup.getSpaceInformation()->isValid(state.get()))
+            {
                 failAt(pose.origin, described + " is in collision" +
                                         (problem.world ? " with the world '" + problem.world->value + "'" : "") +
                                         describeCollision(*setup.getSpaceInformation(), problem.space, pose, bounds));
+            }
         }
     }  // namespace
 
