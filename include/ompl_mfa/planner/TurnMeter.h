@@ -18,9 +18,10 @@ namespace ompl_mfa
 
     /** \brief Measures what a turn costs, in s: by a clock, or, where a run has to repeat, by counted work.
 
-        The clock is that of the wall: what a validity checker spends in other threads, or waiting for an answer, is
-        time that the turn took. Counted work has three prices: that of a state check, which the user declares, that of
-        a distance, which depends on the space, and that of a unit of other bookkeeping. */
+        The clock is that of the thread's processor time, which other programs do not distort, unless the thread had to
+        wait: for threads that help it, or for the answer of a validity checker. Such a turn took the time of the wall's
+        clock. Counted work has three prices: that of a state check, which the user declares, that of a distance, which
+        depends on the space, and that of a unit of other bookkeeping. */
     class TurnMeter
     {
     public:
@@ -39,6 +40,8 @@ namespace ompl_mfa
         std::uint64_t distances_;
         std::uint64_t bookkeeping_;
         std::chrono::steady_clock::time_point begin_;
+        double processorBegin_;
+        long waits_;
     };
 }  // namespace ompl_mfa
 
