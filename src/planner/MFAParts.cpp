@@ -39,8 +39,8 @@ namespace ompl_mfa
         constexpr unsigned int RUNGS = 7;
         /* A new path is given up once so many more rounds like the last would not make it the best. */
         constexpr double PATIENCE = 4.0;
-        /* Where there is no path yet: work and processor time (s) of the trees before the roadmap begins, and work of
-           both before fireflies and recombination do. */
+        /* Where there is no path yet: work and time (s) of the trees before the roadmap begins, and state checks of both
+           before fireflies and recombination do, whose first turns take thousands of them. */
         constexpr std::uint64_t FIRST_TREES = 14000;
         constexpr double FIRST_TREES_TIME = 0.01;
         constexpr std::uint64_t FIRST_GUIDES = 50000;
@@ -124,7 +124,7 @@ namespace ompl_mfa
         const bool ends = !query_->starts().empty() && !query_->goals().empty();
         const bool guidePlanner = ends && plannerGuide_ && plannerGuide_->accepts(*query_);
         const bool guided = guidePlanner || (ends && (trees_ || hasRoadmap_));
-        const bool waiting = guided && !improving_ && evaluator_->work() < FIRST_GUIDES;
+        const bool waiting = guided && !improving_ && evaluator_->checks() < FIRST_GUIDES;
         available[FIREFLIES] = !waiting && (!axes_.empty() || !swarms_.empty() || window_);
         available[RECOMBINATION] = !waiting && search_.recombination && activeSwarm_ != nullptr &&
                                    activeSwarm_->frame().slices() > 0 && activeSwarm_->fireflies().evaluations() > 0;
