@@ -39,10 +39,11 @@ namespace ompl_mfa
         constexpr unsigned int RUNGS = 7;
         /* A new path is given up once so many more rounds like the last would not make it the best. */
         constexpr double PATIENCE = 4.0;
-        /* Where there is no path yet: work and time (s) of the trees before the roadmap begins, and state checks of both
-           before fireflies and recombination do, whose first turns take thousands of them. */
+        /* Where there is no path yet: work and time (s) of the trees before the roadmap begins, and state checks of
+           both before fireflies and recombination do, whose first turns take thousands of them. */
         constexpr std::uint64_t FIRST_TREES = 14000;
         constexpr double FIRST_TREES_TIME = 0.01;
+        constexpr double ROADMAP_LEAD = 2.0;
         constexpr std::uint64_t FIRST_GUIDES = 50000;
         /* Dimensions beyond which the roadmap has less of the time, and below which more, but no more than so many
            times as much. */
@@ -131,11 +132,13 @@ namespace ompl_mfa
         // a single motion can be made no better, but around what makes its cost infinite
         available[TIGHTENING] = search_.tightening && incumbent_->hasPath() &&
                                 (incumbent_->path().size() > 2 || !incumbent_->hasFinitePath());
-        available[TREES] = trees_ && ends;
         // where checks are cheap, their number says little
         const bool early =
             trees_ && !improving_ && (evaluator_->work() < FIRST_TREES || spent_[TREES] < FIRST_TREES_TIME);
         available[ROADMAP] = hasRoadmap_ && ends && !early;
+        // what the trees had before it began the roadmap has, twice over, before they go on
+        const bool roadmapFirst = available[ROADMAP] && !improving_ && spent_[ROADMAP] < ROADMAP_LEAD * spent_[TREES];
+        available[TREES] = trees_ && ends && !roadmapFirst;
         available[PLANNER] = guidePlanner;
         return available;
     }
