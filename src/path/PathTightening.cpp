@@ -380,8 +380,8 @@ namespace ompl_mfa
             caution = CAUTION;
             return false;
         }
-        if (caution > 0 ? !hasMargin(i, state)
-                        : !evaluator_.checkBetween({{path_[i - 1], state}, {state, path_[i + 1]}}))
+        if ((caution > 0 && !hasMargin(i, state)) ||
+            !evaluator_.checkBetween({{path_[i - 1], state}, {state, path_[i + 1]}}))
             return false;
         caution -= caution > 0 ? 1 : 0;
         chart_->space()->copyState(path_[i], state);
@@ -391,7 +391,8 @@ namespace ompl_mfa
     }
 
     /* Whether the vertex could go a little beyond the state that it is to have, so that the path will not touch what
-       is in its way. */
+       is in its way. The motions to the state itself are checked at twice the resolution, those beyond it need not be.
+     */
     bool PathTightening::hasMargin(std::size_t i, const ob::State *state)
     {
         const unsigned int segments = std::max(1U, chart_->validSegmentCount(path_[i - 1], state));
@@ -402,7 +403,7 @@ namespace ompl_mfa
         chart_->difference(path_[i], state, beyondDelta_);
         beyondDelta_ *= 1.0 + margin / step;
         chart_->displace(path_[i], beyondDelta_, beyond_);
-        return evaluator_.checkStrictly({{path_[i - 1], beyond_}, {beyond_, path_[i + 1]}});
+        return evaluator_.checkMotions({{path_[i - 1], beyond_}, {beyond_, path_[i + 1]}});
     }
 
     bool PathTightening::replaceVertex(std::size_t i, const ob::State *state)
