@@ -91,7 +91,8 @@ namespace ompl_mfa
                 converged_ = idleRounds_ >= (refined ? 3 * enough : enough);
             }
         }
-        return evaluator_.objective()->isCostBetterThan(before, first);
+        // a corner may have been cut since the last round
+        return evaluator_.objective()->isCostBetterThan(cost(), first);
     }
 
     /* What a step from one cost to another gained. Nothing is known of what lies between two infinite costs; a path

@@ -10,6 +10,8 @@
 #include <ompl/base/goals/GoalStates.h>
 #include <ompl/util/Console.h>
 
+#include "ompl_mfa/planner/GoalDistance.h"
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa
@@ -81,6 +83,7 @@ namespace ompl_mfa
     Query::Query(const ob::StateSpacePtr &space)
       : starts_(space)
       , goals_(space)
+      , guard_(space)
     {
     }
 
@@ -119,7 +122,7 @@ namespace ompl_mfa
         // what a sampler makes need not satisfy the goal; what did has to do so still
         for (std::size_t i = 0; i < goals_.size(); ++i)
         {
-            if (satisfied_[i] && !goal_->isSatisfied(goals_[i]))
+            if (satisfied_[i] && !isSatisfied(*goal_, guard_, goals_[i], nullptr))
                 return false;
         }
         return true;
@@ -127,7 +130,8 @@ namespace ompl_mfa
 
     bool Query::isAnsweredBy(const Waypoints &path) const
     {
-        return isAmong(starts_, path.front()) && (isAmong(goals_, path.back()) || goal_->isSatisfied(path.back()));
+        return isAmong(starts_, path.front()) &&
+               (isAmong(goals_, path.back()) || isSatisfied(*goal_, guard_, path.back(), nullptr));
     }
 
     void Query::reset()
@@ -237,7 +241,7 @@ namespace ompl_mfa
         if (!isFinite(*goals_.space(), state) || isAmong(goals_, state))
             return false;
         goals_.append(state);
-        satisfied_.push_back(goal_->isSatisfied(state));
+        satisfied_.push_back(isSatisfied(*goal_, guard_, state, nullptr));
         return true;
     }
 

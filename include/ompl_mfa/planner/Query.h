@@ -9,6 +9,7 @@
 #include <ompl/base/Planner.h>
 #include <ompl/base/ProblemDefinition.h>
 
+#include "ompl_mfa/path/DubinsGuard.h"
 #include "ompl_mfa/path/StateChart.h"
 #include "ompl_mfa/path/Waypoints.h"
 #include "ompl_mfa/planner/GoalSearch.h"
@@ -85,6 +86,7 @@ namespace ompl_mfa
 
         Waypoints starts_;
         Waypoints goals_;
+        DubinsGuard guard_;
         std::vector<bool> satisfied_;  ///< whether each of goals_ satisfied the goal when it was taken
         ompl::base::SpaceInformationPtr si_;
         ompl::base::GoalPtr goal_;
