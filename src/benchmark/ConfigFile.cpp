@@ -230,7 +230,11 @@ namespace ompl_mfa
                 if (name.empty())
                     failAt(parameter, "a planner's name cannot be empty");
                 if (hasControlCharacter(name) || fileNamePart(name).size() > LONGEST_NAME)
-                    failAt(parameter, "accepted is a name without control characters, of at most 100 bytes ('/', '%': 3)");
+                {
+                    failAt(parameter,
+                           "accepted is a name without control characters, of at most 100 bytes, of which "
+                           "'/' and '%' take three");
+                }
                 if (!spec.name.empty())
                     failAt(parameter, "this planner is already named '" + spec.name + "'");
                 spec.name = name;

@@ -110,9 +110,11 @@ namespace ompl_mfa
     double TurnMeter::spent() const
     {
         if (stateCheckTime_ > 0.0)
+        {
             return stateCheckTime_ * static_cast<double>(evaluator_.checks() - checks_) +
                    distanceTime_ * static_cast<double>(evaluator_.distances() - distances_) +
                    BOOKKEEPING_TIME * static_cast<double>(evaluator_.bookkeeping() - bookkeeping_ + 1);
+        }
         if (waits() == waits_)
             return std::max(processorTime() - processorBegin_, SHORTEST);
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
