@@ -76,7 +76,6 @@ namespace ompl_mfa
         while (canImprove() && evaluator_.work() < workLimit_ && !evaluator_.interrupted())
         {
             const std::size_t infinite = infiniteMotions();
-            total_ = before.value();
             round();
             const ob::Cost after = cost();
             const bool idle = !(gain(before.value(), after.value()) > IDLE_GAIN * std::abs(after.value())) &&
@@ -124,6 +123,7 @@ namespace ompl_mfa
         const auto exhausted = [this] { return evaluator_.work() >= workLimit_ || evaluator_.stopped(); };
         removeVertices();
         bendInfiniteMotions();
+        total_ = cost().value();
         const std::size_t steps = path_.size() > 2 ? STEPS_A_VERTEX * (path_.size() - 2) : 0;
         for (std::size_t k = 0; k < steps && path_.size() > 2 && !exhausted(); ++k)
         {
@@ -246,8 +246,7 @@ namespace ompl_mfa
         const ob::Cost corner = cornerCost(i);
         evaluator_.observePath(path_[i - 1], path_[i + 1], corner);
         evaluator_.addWork(1);
-        // a chord of infinite cost would undo what was found around it
-        if (evaluator_.objective()->isCostBetterThan(corner, chord) || !evaluator_.objective()->isFinite(chord))
+        if (evaluator_.objective()->isCostBetterThan(corner, chord))
             return false;
         if (steps_[i].pull < 0.3 && rng_.uniform01() > 0.1)
             return false;
@@ -259,9 +258,9 @@ namespace ompl_mfa
 
     void PathTightening::bendInfiniteMotions()
     {
-        for (std::size_t i = 0; i + 1 < path_.size() && evaluator_.work() < workLimit_ && !evaluator_.stopped(); ++i)
+        for (std::size_t i = 0; i + 1 < path_.size() && evaluator_.work() < workLimit_ && !evaluator_.stopped();)
         {
-            if (path_.size() < MAX_VERTICES && !evaluator_.objective()->isFinite(costs_[i]) && bend(i))
+            if (path_.size() >= MAX_VERTICES || evaluator_.objective()->isFinite(costs_[i]) || !bend(i))
                 ++i;
         }
     }

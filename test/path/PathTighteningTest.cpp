@@ -334,6 +334,46 @@ namespace ompl_mfa
             }
         }
 
+        /* Few single vertices lead around it within the bounds: a motion of which a part still costs too much is a step
+           on the way. */
+        TEST(PathTightening, LeadsAMotionAroundALargeRegionOfInfiniteCost)
+        {
+            class LethalBall : public ob::StateCostIntegralObjective
+            {
+            public:
+                explicit LethalBall(const ob::SpaceInformationPtr &si)
+                  : StateCostIntegralObjective(si, true)
+                {
+                }
+
+                ob::Cost stateCost(const ob::State *state) const override
+                {
+                    const auto *x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                    return std::hypot(x[0], x[1], x[2]) < 5.0 ? infiniteCost() : ob::Cost(1.0);
+                }
+            };
+            const auto space = test::realVectorSpace(3);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            si->setStateValidityChecker([](const ob::State *) { return true; });
+            si->setup();
+            Waypoints path(space);
+            ob::ScopedState<> state(space);
+            state[1] = state[2] = 0.0;
+            for (const double x : {-5.5, 5.5})
+            {
+                state[0] = x;
+                path.append(state.get());
+            }
+            for (std::uint_fast32_t seed = 1; seed <= 20; ++seed)
+            {
+                PathEvaluator evaluator(si, std::make_shared<LethalBall>(si));
+                PathTightening tightening(std::make_shared<const StateChart>(space), evaluator, seed);
+                tightening.begin(path);
+                EXPECT_TRUE(tightening.advance(20000));
+                EXPECT_TRUE(std::isfinite(tightening.cost().value())) << seed;
+            }
+        }
+
         /* Where more is better, infinity is the best and its negative the worst. */
         TEST_F(PathTighteningTest, APathWithoutClearanceIsLedAwayFromTheObstacle)
         {
@@ -449,14 +489,12 @@ namespace ompl_mfa
             return sum / seeds;
         }
 
-        /* That each kind of step is tried as often as it pays, and none is given up for good: with the shares fixed by
-           the last step, or without a floor, the excess in the plane is 0.8 and 0.9. */
+        /* That each kind of step is tried as often as it paid, and none is given up for good: with the shares fixed by
+           the last step, or without a floor, the excess is at least twice as large, 0.1. */
         TEST(PathTightening, SharesItsWorkByWhatPays)
         {
             const WayAroundABall plane(2);
-            EXPECT_LT(meanCost(plane, 3000, 100) - plane.optimum, 0.6);
-            const WayAroundABall six(6);
-            EXPECT_LT(meanCost(six, 3000, 100) - six.optimum, 0.25);
+            EXPECT_LT(meanCost(plane, 6000, 100) - plane.optimum, 0.07);
         }
 
         TEST(PathTightening, IsConvergedCloseToTheOptimumAndComesToThat)
