@@ -144,7 +144,8 @@ namespace ompl_mfa
             const double yaw = from.getYaw();
             for (int k = 0; k <= 2 * TURNS; ++k)
             {
-                from.setYaw(std::remainder(yaw + (k % 2 == 0 ? -TURN : TURN) * ((k + 1) / 2), TWO_PI));
+                const int multiple = k % 2 == 0 ? -(k / 2) : (k + 1) / 2;
+                from.setYaw(std::remainder(yaw + multiple * TURN, TWO_PI));
                 if (PosePair(from, to, radius).curvesExist())
                     return true;
             }
