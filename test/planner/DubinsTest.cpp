@@ -106,5 +106,24 @@ namespace ompl_mfa
                 }
             }
         }
+
+        /* Several motions are checked at once, of which none may be one that OMPL cannot compute. */
+        TEST_P(Cars, WithTwoThreadsARunIsTheSame)
+        {
+            for (std::uint32_t seed = 1; seed <= 4; ++seed)
+            {
+                double cost[2];
+                for (const unsigned int threads : {1U, 2U})
+                {
+                    test::PlanningProblem problem(carSpace(0.5, GetParam()), inCorridorOrBeside, {1.0, 4.0, 0.0},
+                                                  {19.0, 16.0, 0.0});
+                    const auto planner = problem.planner(test::Engine::Default, seed);
+                    planner->setThreads(threads);
+                    ASSERT_EQ(planner->solve(test::afterCalls(8000)), ob::PlannerStatus::EXACT_SOLUTION) << seed;
+                    cost[threads - 1] = planner->bestCost();
+                }
+                EXPECT_EQ(cost[0], cost[1]) << seed;
+            }
+        }
     }  // namespace
 }  // namespace ompl_mfa
