@@ -66,7 +66,11 @@ namespace ompl_mfa
             cost = objective_->infiniteCost();
             return true;
         }
-        cost = number(objective_->motionCost(from, to), "motion cost");
+        cost = objective_->motionCost(from, to);
+        // an integral over no length of an infinite cost
+        if (std::isnan(cost.value()) && si_->equalStates(from, to))
+            cost = objective_->identityCost();
+        number(cost, "motion cost");
         bounds_.observeMotion(from, to, cost);
         return true;
     }

@@ -202,6 +202,18 @@ namespace ompl_mfa
             EXPECT_GT(shares[3] + shares[4], 0.5);
         }
 
+        TEST(MotionsOfNoLength, CostNothingWhereAnIntegralOfThemIsNotANumber)
+        {
+            const auto problem = openProblem();
+            const auto objective = std::make_shared<LethalDisc>(problem->si, 2.0);
+            const auto lethal = problem->state({0.5, 0.5});
+            ASSERT_TRUE(std::isnan(objective->motionCost(lethal.get(), lethal.get()).value()));
+            PathEvaluator evaluator(problem->si, objective);
+            ob::Cost cost;
+            ASSERT_TRUE(evaluator.motionCost(lethal.get(), lethal.get(), cost));
+            EXPECT_EQ(cost.value(), 0.0);
+        }
+
         /* Path length, whose \e n-th motion cost is not a number. */
         class Undefined : public ob::OptimizationObjective
         {
