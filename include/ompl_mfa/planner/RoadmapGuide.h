@@ -29,7 +29,7 @@ namespace ompl_mfa
     {
     public:
         /** \brief Directed edges of the first roadmap; some 40 bytes each, with their share of the vertices. */
-        static constexpr std::size_t CAPACITY = 1500000;
+        static constexpr std::size_t CAPACITY = 400000;
 
         /** \brief \e planner tells which nearest-neighbour structure suits the space. \e evaluator outlives it.
             \e capacity >= 1 is that of the first roadmap, in directed edges. */
