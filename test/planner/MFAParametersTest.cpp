@@ -13,6 +13,7 @@
 
 #include <ompl/util/Exception.h>
 
+#include "ForeignLocale.h"
 #include "planner/ConsoleRecord.h"
 #include "planner/PlanningProblem.h"
 
@@ -279,28 +280,10 @@ namespace ompl_mfa
             EXPECT_EQ(planner_.getSlices(), 20U);
         }
 
-        /* Decimal comma and points between thousands, as in German. */
-        class GermanNumbers : public std::numpunct<char>
-        {
-            char do_decimal_point() const override
-            {
-                return ',';
-            }
-
-            char do_thousands_sep() const override
-            {
-                return '.';
-            }
-
-            std::string do_grouping() const override
-            {
-                return "\3";
-            }
-        };
-
         TEST_F(Parameters, NumbersAreReadTheSameInEveryLocale)
         {
-            const std::locale before = std::locale::global(std::locale(std::locale::classic(), new GermanNumbers));
+            const std::locale before =
+                std::locale::global(std::locale(std::locale::classic(), new ompl_mfa_test::GermanPunctuation));
             EXPECT_TRUE(planner_.params().setParam("gamma", "0.125"));
             EXPECT_TRUE(planner_.params().setParam("generations", "2000"));
             const std::string gamma = value("gamma");
