@@ -23,7 +23,8 @@ function(ompl_mfa_add_library target export_name)
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name} VERSION ${PROJECT_VERSION})
     target_compile_features(${target} PUBLIC cxx_std_17)
     target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+                                         PRIVATE ${PROJECT_SOURCE_DIR}/src)
     ompl_mfa_compile_settings(${target})
     install(TARGETS ${target} EXPORT ompl_mfaTargets
             LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -38,7 +39,7 @@ function(ompl_mfa_add_test name)
     add_executable(${name} ${ARG_SOURCES})
     ompl_mfa_compile_settings(${name})
     target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
-    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/test)
     target_compile_definitions(${name} PRIVATE OMPL_MFA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(OMPL_MFA_SANITIZE)
         # The libraries' pointers are checked; checking those of a test's own code would double the time of its build.

@@ -15,7 +15,7 @@
 #include "ompl_mfa/NumberText.h"
 #include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/PlannerTable.h"
-#include "ompl_mfa/planner/RangedParam.h"
+#include "planner/RangedParam.h"
 
 namespace ompl_mfa
 {

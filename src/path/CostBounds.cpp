@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/CostBounds.h"
+#include "path/CostBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include <ompl/base/spaces/SO3StateSpace.h>
 #include <ompl/util/Console.h>
 
-#include "ompl_mfa/path/ExactType.h"
+#include "path/ExactType.h"
 
 namespace ob = ompl::base;
 

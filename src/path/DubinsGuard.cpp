@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/DubinsGuard.h"
+#include "path/DubinsGuard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <ompl/base/spaces/DubinsStateSpace.h>
 
-#include "ompl_mfa/path/Waypoints.h"
+#include "path/Waypoints.h"
 
 namespace ob = ompl::base;
 

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/ParallelChecks.h"
+#include "path/ParallelChecks.h"
 
 #include <algorithm>
 #include <atomic>
@@ -6,7 +6,7 @@
 
 #include <ompl/base/DiscreteMotionValidator.h>
 
-#include "ompl_mfa/path/ExactType.h"
+#include "path/ExactType.h"
 
 namespace ob = ompl::base;
 

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/PathDeformation.h"
+#include "path/PathDeformation.h"
 
 #include <algorithm>
 

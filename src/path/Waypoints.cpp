@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/Waypoints.h"
+#include "path/Waypoints.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,189 +1,56 @@
-#include <type_traits>
+#include "planner/MFAParameters.h"
 
-#include "ompl_mfa/planner/MFA.h"
-#include "ompl_mfa/planner/RangedParam.h"
+#include <cstdint>
+#include <limits>
+#include <type_traits>
 
 namespace ompl_mfa
 {
-    namespace
-    {
-        /* Fireflies of the paper, and of a swarm that other parts assist. */
-        constexpr unsigned int PAPER_POPULATION = 100;
-        constexpr unsigned int POPULATION = 20;
-    }  // namespace
+    static_assert(std::is_same_v<decltype(SearchSettings::seed), std::uint32_t>, "a seed has 32 bits");
 
-    void MFA::declareParameters()
+    const std::vector<AnyMFAParameter> &mfaParameters()
     {
-        const auto declare = [this](const auto &parameter)
-        {
-            const auto member = parameter.member;
-            using T = std::decay_t<decltype(settings_.*member)>;
-            params_.add(std::make_shared<RangedParam<T>>(
-                parameter.name, parameter.accepted, [this, member](const T &value) { settings_.*member = value; },
-                [this, member] { return settings_.*member; }));
-        };
-        for (const auto &parameter : mfaParameters())
-            std::visit(declare, parameter);
-    }
-
-    template <typename T>
-    void MFA::set(T MFASettings::*member, const T &value)
-    {
-        for (const auto &any : mfaParameters())
-        {
-            const auto *parameter = std::get_if<MFAParameter<T>>(&any);
-            if (parameter != nullptr && parameter->member == member)
-                require(parameter->accepted, getName() + ": " + parameter->name, value);
-        }
-        settings_.*member = value;
-    }
-
-    FireflyOptimizer::Settings MFA::swarmSettings() const
-    {
-        FireflyOptimizer::Settings settings;
-        settings.variant = search_.variant == "mfa" ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA;
-        settings.populationSize = paper_ ? PAPER_POPULATION : POPULATION;
-        if (search_.populationSize != 0)
-            settings.populationSize = search_.populationSize;
-        settings.generations = search_.generations;
-        settings.gamma = search_.gamma;
-        settings.alpha = search_.alpha;
-        settings.eta = search_.eta;
-        return settings;
-    }
-
-    void MFA::setVariant(const std::string &variant)
-    {
-        set(&MFASettings::variant, variant);
-    }
-
-    std::string MFA::getVariant() const
-    {
-        return settings_.variant;
-    }
-
-    void MFA::setPopulationSize(unsigned int size)
-    {
-        set(&MFASettings::populationSize, size);
-    }
-
-    unsigned int MFA::getPopulationSize() const
-    {
-        return settings_.populationSize;
-    }
-
-    void MFA::setSlices(unsigned int slices)
-    {
-        set(&MFASettings::slices, slices);
-    }
-
-    unsigned int MFA::getSlices() const
-    {
-        return settings_.slices;
-    }
-
-    void MFA::setGenerations(unsigned int generations)
-    {
-        set(&MFASettings::generations, generations);
-    }
-
-    unsigned int MFA::getGenerations() const
-    {
-        return settings_.generations;
-    }
-
-    void MFA::setGamma(double gamma)
-    {
-        set(&MFASettings::gamma, gamma);
-    }
-
-    double MFA::getGamma() const
-    {
-        return settings_.gamma;
-    }
-
-    void MFA::setAlpha(double alpha)
-    {
-        set(&MFASettings::alpha, alpha);
-    }
-
-    double MFA::getAlpha() const
-    {
-        return settings_.alpha;
-    }
-
-    void MFA::setEta(double eta)
-    {
-        set(&MFASettings::eta, eta);
-    }
-
-    double MFA::getEta() const
-    {
-        return settings_.eta;
-    }
-
-    void MFA::setGuide(const std::string &guide)
-    {
-        set(&MFASettings::guide, guide);
-    }
-
-    std::string MFA::getGuide() const
-    {
-        return settings_.guide;
-    }
-
-    void MFA::setRecombination(bool recombination)
-    {
-        set(&MFASettings::recombination, recombination);
-    }
-
-    bool MFA::getRecombination() const
-    {
-        return settings_.recombination;
-    }
-
-    void MFA::setTightening(bool tightening)
-    {
-        set(&MFASettings::tightening, tightening);
-    }
-
-    bool MFA::getTightening() const
-    {
-        return settings_.tightening;
-    }
-
-    void MFA::setSeed(std::uint32_t seed)
-    {
-        set(&MFASettings::seed, seed);
-    }
-
-    std::uint32_t MFA::getSeed() const
-    {
-        return settings_.seed;
-    }
-
-    void MFA::setStateCheckTime(double microseconds)
-    {
-        set(&MFASettings::stateCheckTime, microseconds);
-    }
-
-    double MFA::getStateCheckTime() const
-    {
-        return settings_.stateCheckTime;
-    }
-
-    void MFA::setThreads(unsigned int threads)
-    {
-        set(&MFASettings::threads, threads);
-    }
-
-    unsigned int MFA::getThreads() const
-    {
-        return settings_.threads;
-    }
-
-    void MFA::setGuidePlanner(const ompl::base::PlannerAllocator &allocator)
-    {
-        guidePlanner_ = allocator;
+        using Word = MFAParameter<std::string>;
+        using Whole = MFAParameter<unsigned int>;
+        using Real = MFAParameter<double>;
+        using Switch = MFAParameter<bool>;
+        using Words = AcceptedValues<std::string>;
+        using Numbers = AcceptedValues<unsigned int>;
+        using Reals = AcceptedValues<double>;
+        static const std::vector<AnyMFAParameter> TABLE{
+            Word{"variant", &SearchSettings::variant, Words({"mfa", "fa"}),
+                 "the paper's modified firefly algorithm, or the plain one"},
+            Switch{"fireflies",
+                   &SearchSettings::fireflies,
+                   {},
+                   "whether swarms fly; without them, and without recombination, the guides and tightening remain"},
+            // one range for both variants: trial vectors are made from four fireflies
+            Whole{"population_size", &SearchSettings::populationSize, Numbers(4, 1, 10000, 0),
+                  "size of the swarm; 0: 100 in paper mode, else 20"},
+            Whole{"slices", &SearchSettings::slices, Numbers(1, 1, 1000),
+                  "slices across the axis from start to goal, m - 1 in the paper; half as many in a window"},
+            Whole{"generations", &SearchSettings::generations, Numbers(1, 1, 100000),
+                  "length of an epoch, over which the random step and the attraction shrink; at most 15 in a window"},
+            Real{"gamma", &SearchSettings::gamma, Reals(0.0, 0.01, 100.0),
+                 "light absorption: how fast the attraction falls with the distance of two fireflies, measured in "
+                 "ranges of their coordinates"},
+            Real{"alpha", &SearchSettings::alpha, Reals(0.0, 0.01, 1.0), "random step at the beginning of an epoch"},
+            Real{"eta", &SearchSettings::eta, Reals(0.0, 0.01, 2.0),
+                 "attraction at distance 0 at the beginning of an epoch; 1 carries a firefly all the way to a brighter "
+                 "one"},
+            Word{"guide", &SearchSettings::guide, Words({"none", "trees", "roadmap", "both"}),
+                 "planners beside the swarm that find ways which straight slices cannot express: trees that restart, "
+                 "a roadmap that grows"},
+            Switch{"recombination", &SearchSettings::recombination, {}, "splices the paths of the swarm into better ones"},
+            Switch{"tightening",
+                   &SearchSettings::tightening,
+                   {},
+                   "refines new paths: fewer vertices, shortcuts, pulls toward the chord, cut corners"},
+            Whole{"seed", &SearchSettings::seed, Numbers(0, 1, std::numeric_limits<std::uint32_t>::max()),
+                  "fixes the random numbers, and lets no clock decide; 0: another run every time"},
+            Real{"state_check_time", &SearchSettings::stateCheckTime, Reals(0.001, 0.001, 100000.0),
+                 "what a state check takes; a run with a seed, which looks at no clock, shares its time by it"},
+            Whole{"threads", &SearchSettings::threads, Numbers(1, 1, 64), "check states and motions, see above"}};
+        return TABLE;
     }
 }  // namespace ompl_mfa

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/PublishingSchedule.h"
+#include "planner/PublishingSchedule.h"
 
 #include <cmath>
 

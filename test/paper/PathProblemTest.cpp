@@ -8,7 +8,7 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
 #include "ompl_mfa/optimizer/RandomSource.h"
-#include "ompl_mfa/path/SliceFrame.h"
+#include "engine/fireflies/SliceFrame.h"
 #include "paper/Contender.h"
 #include "paper/StudyScenes.h"
 

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/CostBounds.h"
+#include "path/CostBounds.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/DubinsGuard.h"
+#include "path/DubinsGuard.h"
 
 #include <cmath>
 #include <functional>

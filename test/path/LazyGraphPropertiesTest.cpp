@@ -14,7 +14,7 @@
 #include <ompl/base/MotionValidator.h>
 #include <ompl/util/Console.h>
 
-#include "ompl_mfa/path/LazyGraph.h"
+#include "engine/graph/LazyGraph.h"
 #include "path/StateSpaces.h"
 
 namespace ob = ompl::base;

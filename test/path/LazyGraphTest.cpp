@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/LazyGraph.h"
+#include "engine/graph/LazyGraph.h"
 
 #include <algorithm>
 #include <array>

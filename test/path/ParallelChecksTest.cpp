@@ -1,6 +1,6 @@
 /* Several threads answer as one does, and count as one does; only sooner. */
 
-#include "ompl_mfa/path/ParallelChecks.h"
+#include "path/ParallelChecks.h"
 
 #include <chrono>
 #include <memory>
@@ -14,7 +14,7 @@
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "ompl_mfa/path/PathEvaluator.h"
+#include "path/PathEvaluator.h"
 #include "path/SlowProblem.h"
 #include "path/StateSpaces.h"
 

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/PathDeformation.h"
+#include "engine/refinement/PathDeformation.h"
 
 #include <memory>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/PathEvaluator.h"
+#include "path/PathEvaluator.h"
 
 #include <cmath>
 #include <limits>

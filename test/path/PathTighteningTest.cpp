@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/PathTightening.h"
+#include "engine/refinement/PathTightening.h"
 
 #include <algorithm>
 #include <cmath>

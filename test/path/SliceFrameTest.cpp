@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/SliceFrame.h"
+#include "engine/fireflies/SliceFrame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ompl_mfa/path/SliceFrame.h"
-#include "ompl_mfa/path/SliceModes.h"
+#include "engine/fireflies/SliceFrame.h"
+#include "engine/fireflies/SliceModes.h"
 #include "path/StateSpaces.h"
 
 namespace ob = ompl::base;

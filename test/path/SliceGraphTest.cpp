@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/SliceGraph.h"
+#include "engine/fireflies/SliceGraph.h"
 
 #include <cmath>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/SliceModes.h"
+#include "engine/fireflies/SliceModes.h"
 
 #include <algorithm>
 #include <cmath>

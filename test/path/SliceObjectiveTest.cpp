@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/SliceObjective.h"
+#include "engine/fireflies/SliceObjective.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/StateChart.h"
+#include "path/StateChart.h"
 
 #include <algorithm>
 #include <cmath>

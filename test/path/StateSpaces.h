@@ -19,7 +19,7 @@
 #include <ompl/base/spaces/SO2StateSpace.h>
 #include <ompl/base/spaces/SO3StateSpace.h>
 
-#include "ompl_mfa/path/Waypoints.h"
+#include "path/Waypoints.h"
 
 namespace ompl_mfa::test
 {

@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/VertexSearch.h"
+#include "engine/refinement/VertexSearch.h"
 
 #include <cmath>
 

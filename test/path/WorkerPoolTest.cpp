@@ -1,4 +1,4 @@
-#include "ompl_mfa/path/WorkerPool.h"
+#include "path/WorkerPool.h"
 
 #include <atomic>
 #include <chrono>

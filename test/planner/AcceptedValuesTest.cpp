@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/AcceptedValues.h"
+#include "planner/AcceptedValues.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/GoalSearch.h"
+#include "engine/fireflies/GoalSearch.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/HyperspheroidCache.h"
+#include "engine/guides/HyperspheroidCache.h"
 
 #include <algorithm>
 #include <vector>

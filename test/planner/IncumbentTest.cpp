@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/Incumbent.h"
+#include "engine/Incumbent.h"
 
 #include <limits>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/InformedSampler.h"
+#include "engine/guides/InformedSampler.h"
 
 #include <limits>
 #include <memory>

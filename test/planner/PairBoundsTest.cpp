@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/PairBounds.h"
+#include "engine/PairBounds.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/PlannerGuide.h"
+#include "engine/guides/GuestPlannerPart.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ompl_mfa/planner/PublishingSchedule.h"
+#include "planner/PublishingSchedule.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;

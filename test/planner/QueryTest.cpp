@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/Query.h"
+#include "engine/Query.h"
 
 #include <cmath>
 #include <limits>

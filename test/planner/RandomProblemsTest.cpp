@@ -18,7 +18,7 @@
 #include <ompl/base/objectives/StateCostIntegralObjective.h>
 #include <ompl/util/Console.h>
 
-#include "ompl_mfa/path/StateChart.h"
+#include "path/StateChart.h"
 #include "planner/DistanceGoal.h"
 #include "planner/PlanningProblem.h"
 

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/RangedParam.h"
+#include "planner/RangedParam.h"
 
 #include <string>
 

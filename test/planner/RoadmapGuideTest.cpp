@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/RoadmapGuide.h"
+#include "engine/guides/RoadmapPart.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/SearchLock.h"
+#include "planner/SearchLock.h"
 
 #include <algorithm>
 #include <atomic>

@@ -18,7 +18,7 @@
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/util/Exception.h>
 
-#include "ompl_mfa/path/StateChart.h"
+#include "path/StateChart.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;

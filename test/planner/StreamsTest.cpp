@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/Streams.h"
+#include "engine/Streams.h"
 
 #include <map>
 #include <set>

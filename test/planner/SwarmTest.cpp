@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/Swarm.h"
+#include "engine/fireflies/Swarm.h"
 
 #include <algorithm>
 #include <cmath>

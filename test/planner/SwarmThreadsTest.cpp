@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ompl_mfa/planner/Swarm.h"
+#include "engine/fireflies/Swarm.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;

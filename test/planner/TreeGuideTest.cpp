@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/TreeGuide.h"
+#include "engine/guides/TreePart.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/TurnMeter.h"
+#include "engine/TurnMeter.h"
 
 #include <chrono>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/TurnSharing.h"
+#include "engine/TurnSharing.h"
 
 #include <array>
 #include <vector>

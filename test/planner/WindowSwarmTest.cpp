@@ -1,4 +1,4 @@
-#include "ompl_mfa/planner/WindowSwarm.h"
+#include "engine/fireflies/WindowSwarm.h"
 
 #include <cmath>
 #include <limits>

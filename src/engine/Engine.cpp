@@ -1,0 +1,284 @@
+#include "engine/Engine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/util/Console.h>
+
+#include "engine/GoalDistance.h"
+#include "engine/TurnMeter.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Bounds of a turn, in units of PathEvaluator::work(). */
+        constexpr std::uint64_t SHORTEST_TURN = 400;
+        constexpr std::uint64_t LONGEST_TURN = 8000;
+
+        /* The evaluator asks the condition of this search and no later one, however the search ends. */
+        class StopConditionScope
+        {
+        public:
+            StopConditionScope(PathEvaluator &evaluator, const ob::PlannerTerminationCondition &ptc)
+              : evaluator_(evaluator)
+            {
+                evaluator_.setStopCondition([&ptc] { return ptc(); });
+            }
+
+            ~StopConditionScope()
+            {
+                evaluator_.setStopCondition({});
+            }
+
+            StopConditionScope(const StopConditionScope &) = delete;
+            StopConditionScope &operator=(const StopConditionScope &) = delete;
+
+        private:
+            PathEvaluator &evaluator_;
+        };
+
+        ob::OptimizationObjectivePtr objectiveOf(const ob::Planner &planner)
+        {
+            if (const auto &objective = planner.getProblemDefinition()->getOptimizationObjective())
+                return objective;
+            OMPL_INFORM("%s: No optimization objective specified. Defaulting to optimizing path length.",
+                        planner.getName().c_str());
+            return std::make_shared<ob::PathLengthOptimizationObjective>(planner.getSpaceInformation());
+        }
+    }  // namespace
+
+    Engine::Engine(const ob::Planner &owner, const StateChartPtr &chart, const SearchSettings &settings,
+                   std::uint64_t seed, const ob::PlannerAllocator &guest, SearchProgress &progress)
+      : context_(owner, chart, objectiveOf(owner), settings, seed, progress)
+      , bounds_(chart->bounds())
+      , parts_(makeParts(context_, guest))
+      , straightMotions_(context_, parts_.guided)
+      , proof_(context_)
+    {
+        context_.evaluator().setPartialPathEvent(
+            [this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
+            { offerPartial(path, motion, lastValid); });
+        share();
+    }
+
+    Engine::~Engine() = default;
+
+    bool Engine::canContinue(const ob::ProblemDefinition &pdef, const ob::PlannerTerminationCondition &ptc)
+    {
+        return context_.chart->bounds() == bounds_ && !context_.query.differsFrom(pdef) && pathHolds(ptc);
+    }
+
+    bool Engine::pathHolds(const ob::PlannerTerminationCondition &ptc)
+    {
+        Incumbent &incumbent = context_.incumbent;
+        const bool exact = incumbent.hasPath();
+        const Waypoints &path = exact ? incumbent.path() : incumbent.partialPath();
+        if (path.empty())
+            return true;
+        if (exact && !context_.query.isAnsweredBy(path))
+            return false;
+        if (!exact)
+        {
+            double distance = 0.0;
+            isSatisfied(*context_.query.goal(), context_.chart->guard(), path.back(), &distance);
+            incumbent.setPartialDistance(distance);
+        }
+        PathEvaluator &evaluator = context_.evaluator();
+        const StopConditionScope stopCondition(evaluator, ptc);
+        const bool holds = evaluator.stopped() || (evaluator.checkState(path.front()) && evaluator.checkPath(path)) ||
+                           evaluator.interrupted();
+        if (!holds)
+            OMPL_INFORM("%s: The path of an earlier solve() is not valid any more; the search restarts",
+                        context_.owner.getName().c_str());
+        return holds;
+    }
+
+    ob::PlannerStatus::StatusType Engine::search(ob::PlannerInputStates &inputs,
+                                                 const ob::PlannerTerminationCondition &ptc,
+                                                 const std::function<void()> &mayPublish)
+    {
+        const StopConditionScope stopCondition(context_.evaluator(), ptc);
+        const auto status = context_.query.begin(inputs, ptc, context_.spaceInformation());
+        if (status != ob::PlannerStatus::EXACT_SOLUTION)
+            return status;
+        mayPublish_ = mayPublish;
+        mayPublish_();
+        while (!finished(ptc))
+            iterate(inputs, ptc);
+        return status;
+    }
+
+    bool Engine::finished(const ob::PlannerTerminationCondition &ptc)
+    {
+        if (ptc())
+            return true;
+        if (!context_.incumbent.hasPath())
+            return false;
+        return context_.objective().isSatisfied(ob::Cost(context_.incumbent.cost())) || proof_.holds();
+    }
+
+    void Engine::iterate(ob::PlannerInputStates &inputs, const ob::PlannerTerminationCondition &ptc)
+    {
+        context_.query.poll(inputs);
+        tryStraightMotions();
+        considerPending();
+        share();
+        std::vector<Readiness> readiness;
+        for (const auto &part : parts_.parts)
+            readiness.push_back(part->readiness());
+        const auto next = sharing_.next(readiness);
+        if (!next || finished(ptc))
+            return;
+        takeTurn(*next);
+        mayPublish_();
+    }
+
+    void Engine::tryStraightMotions()
+    {
+        for (bool found = true; found;)
+        {
+            Findings findings(context_.chart->space());
+            straightMotions_.advance(findings);
+            found = !findings.paths.empty();
+            consider(findings);
+        }
+    }
+
+    void Engine::considerPending()
+    {
+        for (Proposal &proposal : std::exchange(pending_, {}))
+            consider(std::move(proposal));
+    }
+
+    void Engine::takeTurn(std::size_t number)
+    {
+        PathEvaluator &evaluator = context_.evaluator();
+        SearchPart &part = *parts_.parts[number];
+        const SearchSettings &settings = context_.settings;
+        const TurnMeter meter(evaluator, settings.seed != 0 ? 1e-6 * settings.stateCheckTime : 0.0);
+        turn_ = number;
+        gains_.assign(parts_.parts.size(), 0.0);
+        Findings findings(context_.chart->space());
+        // turns grow with the work done, so that no part spends its time beginning
+        part.advance(std::clamp(evaluator.work() / 20, SHORTEST_TURN, LONGEST_TURN), findings);
+        // what becomes of a path is paid for by the part that found it
+        consider(findings);
+        const double spent = meter.spent();
+        context_.progress.addTime(part.kind(), spent);
+        sharing_.record(number, spent, gains_);
+        share();
+    }
+
+    void Engine::consider(Findings &findings)
+    {
+        for (std::size_t i = 0; i < findings.goals.size(); ++i)
+            context_.query.addGoal(findings.goals[i]);
+        for (Proposal &proposal : findings.paths)
+            consider(std::move(proposal));
+        for (const Detour &detour : findings.detours)
+            consider(detour);
+    }
+
+    /* A raw path is far from the best of its homotopy class: it is compared after tightening. */
+    void Engine::consider(Proposal proposal)
+    {
+        PathEvaluator &evaluator = context_.evaluator();
+        Incumbent &incumbent = context_.incumbent;
+        if (!proposal.cost)
+        {
+            proposal.cost = evaluator.cost(proposal.path);
+            if (evaluator.interrupted())
+            {
+                proposal.cost.reset();
+                pending_.push_back(std::move(proposal));
+                return;
+            }
+            ++context_.progress.evaluations;
+        }
+        offer(proposal);
+        if (proposal.stage != Proposal::Stage::Raw || parts_.refiner == nullptr)
+            return;
+        proposal.path = parts_.refiner->refine(proposal.path, *proposal.cost, ob::Cost(incumbent.bound()));
+        proposal.stage = Proposal::Stage::Tight;
+        const double slack = evaluator.withSlack(incumbent.cost(), Alternatives::SLACK);
+        if (!offer(proposal) && !context_.objective().isCostBetterThan(ob::Cost(slack), *proposal.cost))
+            context_.alternatives.add(proposal.path);
+    }
+
+    void Engine::consider(const Detour &detour)
+    {
+        ob::Cost cost = detour.cost;
+        const Waypoints *segment = &detour.segment;
+        if (parts_.refiner != nullptr)
+            segment = &parts_.refiner->refine(detour.segment, cost, detour.rival);
+        if (context_.objective().isCostBetterThan(cost, detour.rival))
+            consider(Proposal{replaceSegment(detour.path, detour.first, detour.last, *segment), std::nullopt,
+                              Proposal::Stage::Raw, detour.origin});
+    }
+
+    bool Engine::offer(const Proposal &proposal)
+    {
+        Incumbent &incumbent = context_.incumbent;
+        const bool first = !incumbent.hasPath();
+        const double before = incumbent.cost();
+        if (!incumbent.offer(proposal.path, proposal.cost->value(), proposal.origin))
+            return false;
+        if (first)
+            context_.evaluator().setPartialPathEvent({});
+        for (const auto &part : parts_.parts)
+            part->improved(proposal);
+        if (improving_)
+            credit(proposal.origin,
+                   std::min(1.0, std::abs(before - incumbent.cost()) / std::max(std::abs(before), 1e-12)));
+        mayPublish_();
+        return true;
+    }
+
+    /* The gain is that of the part whose turn it is, and of the part that found the path which was made better. */
+    void Engine::credit(std::optional<PartKind> origin, double gain)
+    {
+        for (std::size_t i = 0; i < gains_.size(); ++i)
+        {
+            if (i == turn_ || origin == parts_.parts[i]->kind())
+                gains_[i] += gain;
+        }
+    }
+
+    /* Wherever the first path of finite cost came from, the parts share the time from then on as it suits its
+       improvement. */
+    void Engine::share()
+    {
+        const bool improving = context_.incumbent.hasFinitePath();
+        if (improving_ == improving && !gains_.empty())
+            return;
+        improving_ = improving;
+        const double soFar = context_.progress.time();
+        gains_.assign(parts_.parts.size(), 0.0);
+        sharing_ = TurnSharing();
+        for (const auto &part : parts_.parts)
+            sharing_.add(improving ? part->improvementShare(soFar) : part->firstShare());
+    }
+
+    /* The piece of the motion up to the last valid state is discretised by itself and may not be valid. */
+    void Engine::offerPartial(const Waypoints &path, std::size_t motion, const ob::State *lastValid)
+    {
+        double distance = 0.0;
+        isSatisfied(*context_.query.goal(), context_.chart->guard(), lastValid, &distance);
+        if (distance < context_.incumbent.partialDistance() &&
+            context_.evaluator().checkMotion(path[motion], lastValid))
+            context_.incumbent.offerPartial(path, motion + 1, lastValid, distance);
+    }
+
+    void Engine::explain(SearchGraph &graph) const
+    {
+        for (const auto &part : parts_.parts)
+            part->explain(graph);
+        if (context_.incumbent.hasPath())
+            graph.addPath(context_.incumbent.path());
+    }
+}  // namespace ompl_mfa

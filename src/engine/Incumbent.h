@@ -1,0 +1,101 @@
+#ifndef OMPL_MFA_PLANNER_INCUMBENT_
+#define OMPL_MFA_PLANNER_INCUMBENT_
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include <ompl/base/OptimizationObjective.h>
+
+#include "engine/PartKind.h"
+#include "path/Waypoints.h"
+
+namespace ompl_mfa
+{
+    /** \brief The best path known: valid from a start to a goal once there is one, and until then the path whose end
+        came nearest to the goal. */
+    class Incumbent
+    {
+    public:
+        /** \brief Orders the paths by \e objective and keeps \e cost, which outlives the object, at that of the best
+            path: infinite (not the objective's infinite cost) before there is one. */
+        Incumbent(ompl::base::OptimizationObjectivePtr objective, const ompl::base::StateSpacePtr &space,
+                  std::atomic<double> &cost);
+
+        bool hasPath() const
+        {
+            return !path_.empty();
+        }
+
+        /** \brief Whether the best path has a finite cost: one that leads through what the objective forbids by the
+            worst of its costs is valid, but no reason to end or to slow down the search for a first path. */
+        bool hasFinitePath() const;
+
+        /** \brief What a path should beat: infinite (any path) while there is none; where the best path has no finite
+            cost the extreme finite number, which all finite costs beat; else cost(). */
+        double bound() const;
+
+        const Waypoints &path() const
+        {
+            return path_;
+        }
+
+        /** \brief Cost of the best path; infinite (not the objective's infinite cost) before there is one. */
+        double cost() const
+        {
+            return cost_.load(std::memory_order_relaxed);
+        }
+
+        /** \brief Whether a path of cost \e cost would be kept. */
+        bool improvedBy(double cost) const;
+
+        /** \brief Keeps \e path, whose motions are all valid, if it is better than the best so far. \e origin is the
+            part that found it, if one did. */
+        bool offer(const Waypoints &path, double cost, std::optional<PartKind> origin = std::nullopt);
+
+        /** \brief The part that found the best path, if one did. */
+        std::optional<PartKind> origin() const
+        {
+            return origin_;
+        }
+
+        /** \brief How often the best path became a better one. */
+        std::uint64_t improvements() const
+        {
+            return improvements_;
+        }
+
+        /** \brief The path that came nearest to the goal. */
+        const Waypoints &partialPath() const
+        {
+            return partial_;
+        }
+
+        /** \brief Distance of its end from the goal, in the goal's unit; infinite where there is none. */
+        double partialDistance() const
+        {
+            return partialDistance_;
+        }
+
+        /** \brief Corrects the distance of the partial path's end, after the goal changed. */
+        void setPartialDistance(double distance)
+        {
+            partialDistance_ = distance;
+        }
+
+        /** \brief Keeps the first \e count states of \e path and \e last, if \e last is nearer to the goal. */
+        bool offerPartial(const Waypoints &path, std::size_t count, const ompl::base::State *last, double distance);
+
+    private:
+        ompl::base::OptimizationObjectivePtr objective_;
+        Waypoints path_;
+        Waypoints partial_;
+        std::atomic<double> &cost_;
+        std::uint64_t improvements_{0};
+        std::optional<PartKind> origin_;
+        double partialDistance_{std::numeric_limits<double>::infinity()};
+    };
+}  // namespace ompl_mfa
+
+#endif

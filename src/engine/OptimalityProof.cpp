@@ -1,0 +1,57 @@
+#include "engine/OptimalityProof.h"
+
+#include <ompl/util/RandomNumbers.h>
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Random detours that have to keep to the objective's bounds before a path that meets them ends the search. */
+        constexpr unsigned int PROBES = 64;
+    }  // namespace
+
+    OptimalityProof::OptimalityProof(const SearchContext &context)
+      : context_(context)
+      , pairs_(context.evaluator().bounds())
+    {
+    }
+
+    bool OptimalityProof::holds()
+    {
+        return meetsBounds() && boundsHold();
+    }
+
+    bool OptimalityProof::meetsBounds()
+    {
+        const Query &query = context_.query;
+        if (!query.goalsComplete() || !context_.evaluator().bounds().admissible())
+            return false;
+        pairs_.update(query.starts(), query.goals());
+        return pairs_.isBest(context_.incumbent.cost(), query.starts(), query.goals());
+    }
+
+    /* A proof is as good as the objective's heuristic. Where it is not known to be a bound, detours tell: an objective
+       may charge the straight motion more than a detour. */
+    bool OptimalityProof::boundsHold()
+    {
+        PathEvaluator &evaluator = context_.evaluator();
+        const CostBounds &bounds = evaluator.bounds();
+        if (bounds.certain())
+            return true;
+        const Query &query = context_.query;
+        const auto &space = context_.chart->space();
+        ompl::RNG rng(static_cast<std::uint_fast32_t>(streamSeed(context_.seed, Stream::Detours, probes_)));
+        Waypoints detour(space);
+        detour.resize(3);
+        for (; probes_ < PROBES && bounds.admissible(); ++probes_)
+        {
+            space->copyState(detour[0], query.starts()[probes_ % query.starts().size()]);
+            context_.chart->sampleUniform(rng, detour[1]);
+            space->copyState(detour[2], query.goals()[probes_ % query.goals().size()]);
+            evaluator.cost(detour);
+            if (evaluator.interrupted())
+                return false;
+        }
+        return bounds.admissible();
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,84 @@
+#include "engine/PairBounds.h"
+
+#include <cmath>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Pairs taken up by one call: about a millisecond where a distance is that of a car. */
+        constexpr std::size_t PAIRS_AT_ONCE = 1000;
+    }  // namespace
+
+    PairBounds::PairBounds(const CostBounds &bounds)
+      : bounds_(bounds)
+    {
+    }
+
+    /* What is no number promises most. */
+    bool PairBounds::better(double a, double b) const
+    {
+        if (std::isnan(a) || std::isnan(b))
+            return std::isnan(a) && !std::isnan(b);
+        return bounds_.objective()->isCostBetterThan(ob::Cost(a), ob::Cost(b));
+    }
+
+    void PairBounds::add(const ob::State *start, std::size_t i, const ob::State *goal, std::size_t j)
+    {
+        const double bound = bounds_.lowerBound(start, goal);
+        for (double *best : {&ofStart_[i], &ofGoal_[j], &best_})
+        {
+            if (better(bound, *best))
+                *best = bound;
+        }
+    }
+
+    void PairBounds::update(const Waypoints &starts, const Waypoints &goals)
+    {
+        if (starts.size() < ofStart_.size() || goals.size() < ofGoal_.size())
+        {
+            ofStart_.clear();
+            ofGoal_.clear();
+        }
+        const double worst = bounds_.objective()->infiniteCost().value();
+        if (ofStart_.empty() || ofGoal_.empty())
+            best_ = worst;
+        std::size_t pairs = 0;
+        while (pairs < PAIRS_AT_ONCE && (ofStart_.size() < starts.size() || ofGoal_.size() < goals.size()))
+        {
+            // the pairs taken up are those of the first starts with the first goals
+            if (ofStart_.size() < starts.size())
+            {
+                const std::size_t i = ofStart_.size();
+                ofStart_.push_back(worst);
+                for (std::size_t j = 0; j < ofGoal_.size(); ++j)
+                    add(starts[i], i, goals[j], j);
+                pairs += 1 + ofGoal_.size();
+                continue;
+            }
+            const std::size_t j = ofGoal_.size();
+            ofGoal_.push_back(worst);
+            for (std::size_t i = 0; i < ofStart_.size(); ++i)
+                add(starts[i], i, goals[j], j);
+            pairs += 1 + ofStart_.size();
+        }
+    }
+
+    bool PairBounds::startCanBeat(std::size_t i, double bound) const
+    {
+        return i >= ofStart_.size() || bounds_.canBeat(ofStart_[i], bound);
+    }
+
+    bool PairBounds::goalCanBeat(std::size_t j, double bound) const
+    {
+        return j >= ofGoal_.size() || bounds_.canBeat(ofGoal_[j], bound);
+    }
+
+    bool PairBounds::isBest(double cost, const Waypoints &starts, const Waypoints &goals) const
+    {
+        return bounds_.admissible() && ofStart_.size() == starts.size() && ofGoal_.size() == goals.size() &&
+               !better(best_, cost) && !better(cost, best_);
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,122 @@
+#include "engine/TurnMeter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#ifdef __linux__
+#include <ctime>
+
+#include <sys/resource.h>
+#endif
+
+#include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
+#include <ompl/base/spaces/SO3StateSpace.h>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Time of a unit of bookkeeping, and of what a search of neighbours does with a distance, in s. */
+        constexpr double BOOKKEEPING_TIME = 1e-7;
+        constexpr double NEIGHBOUR_TIME = 20e-9;
+        /* What any turn takes. */
+        constexpr double SHORTEST = 1e-9;
+        /* Distances computed by a search: in a tree (GNAT) so many for each of its levels, by the dimension of the
+           space, and for each state where the distance is no metric. Fitted to 3000 and 15000 states of R^2 to R^16,
+           SE(2) and SE(3). */
+        constexpr double TREE_SEARCH = 7.0;
+        constexpr double TREE_GROWTH = 1.65;
+        constexpr double LINEAR_SEARCH = 3.0;
+
+#ifdef __linux__
+        double processorTime()
+        {
+            timespec time{};
+            clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+            return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+        }
+
+        /* How often the thread has waited, for another thread or for anything else but its turn on the processor. */
+        long waits()
+        {
+            rusage usage{};
+            getrusage(RUSAGE_THREAD, &usage);
+            return usage.ru_nvcsw;
+        }
+#else
+        double processorTime()
+        {
+            return 0.0;
+        }
+
+        long waits()
+        {
+            thread_local long asked = 0;
+            return ++asked;
+        }
+#endif
+
+        /* Time of computing a distance in nearest-neighbour searches among thousands of states of each space, in s. */
+        double computingTime(const ob::StateSpace &space)
+        {
+            if (dynamic_cast<const ob::ReedsSheppStateSpace *>(&space) != nullptr)
+                return 3800e-9;
+            if (dynamic_cast<const ob::DubinsStateSpace *>(&space) != nullptr)
+                return 430e-9;
+            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+            {
+                double sum = 0.0;
+                for (unsigned int i = 0; i < compound->getSubspaceCount(); ++i)
+                    sum += computingTime(*compound->getSubspace(i));
+                return sum;
+            }
+            if (dynamic_cast<const ob::SO3StateSpace *>(&space) != nullptr)
+                return 17e-9;
+            return 2e-9 + 0.5e-9 * space.getDimension();
+        }
+    }  // namespace
+
+    double distanceTime(const ob::StateSpace &space)
+    {
+        return NEIGHBOUR_TIME + computingTime(space);
+    }
+
+    std::uint64_t neighbourDistances(const ob::StateSpace &space, std::size_t states)
+    {
+        const auto n = static_cast<double>(states);
+        if (!space.isMetricSpace())
+            return static_cast<std::uint64_t>(LINEAR_SEARCH * n);
+        const double perLevel = TREE_SEARCH * std::pow(TREE_GROWTH, space.getDimension());
+        return static_cast<std::uint64_t>(std::min(n, perLevel * std::log2(n + 1.0)));
+    }
+
+    TurnMeter::TurnMeter(const PathEvaluator &evaluator, double stateCheckTime)
+      : evaluator_(evaluator)
+      , stateCheckTime_(stateCheckTime)
+      , distanceTime_(stateCheckTime > 0.0 ? distanceTime(*evaluator.spaceInformation()->getStateSpace()) : 0.0)
+      , checks_(evaluator.checks())
+      , distances_(evaluator.distances())
+      , bookkeeping_(evaluator.bookkeeping())
+      , begin_(std::chrono::steady_clock::now())
+      , processorBegin_(processorTime())
+      , waits_(waits())
+    {
+    }
+
+    double TurnMeter::spent() const
+    {
+        if (stateCheckTime_ > 0.0)
+        {
+            return stateCheckTime_ * static_cast<double>(evaluator_.checks() - checks_) +
+                   distanceTime_ * static_cast<double>(evaluator_.distances() - distances_) +
+                   BOOKKEEPING_TIME * static_cast<double>(evaluator_.bookkeeping() - bookkeeping_ + 1);
+        }
+        if (waits() == waits_)
+            return std::max(processorTime() - processorBegin_, SHORTEST);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,82 @@
+#include "engine/fireflies/FireflyPart.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "path/PathDeformation.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* State checks of the guides before the first turn of a swarm. */
+        constexpr std::uint64_t FIRST_GUIDES = 50000;
+        /* A firefly may be this many times worse than the best path and still be worth tightening. */
+        constexpr double SLACK = 1.2;
+    }  // namespace
+
+    bool guidesFirst(const SearchContext &context)
+    {
+        return !context.incumbent.hasFinitePath() && context.evaluator().checks() < FIRST_GUIDES;
+    }
+
+    FireflyPart::FireflyPart(const SearchContext &context, std::shared_ptr<Swarms> swarms, bool guided)
+      : SearchPart(PartKind::Fireflies, context)
+      , swarms_(std::move(swarms))
+      , guided_(guided)
+    {
+    }
+
+    Share FireflyPart::firstShare() const
+    {
+        return {0.05, 0.05};
+    }
+
+    Share FireflyPart::improvementShare(double seconds) const
+    {
+        const double weight = 0.08 + 0.14 * std::max(0.0, 1.0 - roadmapFactor(*context().chart));
+        return {weight, weight, FIREFLIES_DELAY * seconds};
+    }
+
+    Readiness FireflyPart::readiness() const
+    {
+        if (!swarms_->any())
+            return Readiness::Idle;
+        return guided_ && guidesFirst(context()) ? Readiness::Waiting : Readiness::Ready;
+    }
+
+    void FireflyPart::advance(std::uint64_t work, Findings &findings)
+    {
+        Swarm *swarm = swarms_->active();
+        if (swarm == nullptr)
+            return;
+        const SearchContext &search = context();
+        // a path that tightening cannot make the best is of no use
+        if (swarms_->options().bounded && swarms_->window() == nullptr)
+            swarm->setBound(search.evaluator().withSlack(search.incumbent.bound(), search.settings.tightening ? SLACK : 1.0));
+        if (swarms_->fly(work))
+            swarms_->endGeneration(findings);
+        proposeFirefly(findings);
+    }
+
+    void FireflyPart::proposeFirefly(Findings &findings)
+    {
+        std::optional<Proposal> firefly = swarms_->takeFirefly();
+        if (!firefly)
+            return;
+        const Incumbent &incumbent = context().incumbent;
+        const bool better = incumbent.improvedBy(firefly->cost->value());
+        if (!better && (!context().settings.tightening ||
+                        !context().objective().isCostBetterThan(ob::Cost(incumbent.cost()), *firefly->cost) ||
+                        seemDeformable(context().evaluator(), firefly->path, incumbent.path())))
+            return;
+        findings.paths.push_back(std::move(*firefly));
+    }
+
+    void FireflyPart::explain(SearchGraph &graph) const
+    {
+        swarms_->explain(graph);
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,121 @@
+#ifndef OMPL_MFA_PATH_SLICE_FRAME_
+#define OMPL_MFA_PATH_SLICE_FRAME_
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "path/StateChart.h"
+#include "path/Waypoints.h"
+
+namespace ompl_mfa
+{
+    /** \brief The fixed-slice parameterisation of a path: m - 1 slices across an axis from start to goal, and a path as
+        one point on each of them (section III.C of the paper, in any space that has a StateChart).
+
+        In R^n a slice is a hyperplane at right angles to the axis and its coordinates are the n - 1 offsets in an
+        orthonormal basis. In general a slice is given by its origin on the axis; its coordinates are the offsets of the
+        positions at right angles to the axis there (all positions of a compound taken together), followed by the
+        rotations in the tangent space of the origin's rotation. Where the axis stands still in position, all position
+        offsets are free.
+
+        A straight frame divides the motion from start to goal evenly; a curved one has its origins on a given path. */
+    class SliceFrame
+    {
+    public:
+        /** \brief A straight frame with \e segments >= 1 segments, that is segments - 1 slices. No coordinate exceeds
+            \e reach (a distance). */
+        static SliceFrame straight(const StateChartPtr &chart, const ompl::base::State *start,
+                                   const ompl::base::State *goal, unsigned int segments,
+                                   double reach = std::numeric_limits<double>::infinity());
+
+        /** \brief A frame along \e axis: its first and last state are start and goal, those between are the origins of
+            the slices. No coordinate exceeds \e reach (a distance). Throws std::invalid_argument with fewer than two
+            states. */
+        SliceFrame(StateChartPtr chart, Waypoints axis, double reach = std::numeric_limits<double>::infinity());
+
+        /** \brief m - 1: the number of slices. */
+        std::size_t slices() const
+        {
+            return slices_.size();
+        }
+
+        /** \brief d: the number of coordinates of all slices together. */
+        Eigen::Index dimension() const
+        {
+            return lower_.size();
+        }
+
+        /** \brief First coordinate and number of coordinates of slice \e k, 0 <= k < slices(). */
+        std::pair<Eigen::Index, Eigen::Index> sliceRange(std::size_t k) const
+        {
+            return {slices_[k].offset, slices_[k].dimension};
+        }
+
+        /** \brief A pair of states for each lateral coordinate: where the slice ends on either side. Allocates; not for
+            the search. */
+        std::vector<Waypoints> sliceEnds() const;
+
+        /** \brief Smallest coordinates (d): where the bounds of the space, or the reach, end. */
+        const Eigen::VectorXd &lower() const
+        {
+            return lower_;
+        }
+
+        /** \brief Largest coordinates (d). */
+        const Eigen::VectorXd &upper() const
+        {
+            return upper_;
+        }
+
+        /** \brief Start, the origins of the slices, and goal. */
+        const Waypoints &axis() const
+        {
+            return axis_;
+        }
+
+        const StateChartPtr &chart() const
+        {
+            return chart_;
+        }
+
+        /** \brief The state at coordinates \e x (d, of all slices) on slice \e k; always within the space's bounds.
+            \e scratch is the caller's, of any size and content: kept from call to call, it saves the allocation. */
+        void toState(std::size_t k, const Eigen::Ref<const Eigen::VectorXd> &x, ompl::base::State *state,
+                     Eigen::VectorXd &scratch) const;
+
+        /** \brief The path (slices() + 2 states, with start and goal) at coordinates \e x (d); \e scratch as in
+            toState. */
+        void toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, Waypoints &path, Eigen::VectorXd &scratch) const;
+
+        /** \brief The coordinates \e x (d) of \e path (slices() + 2 states, one on each slice between start and
+            goal); what lies along the axis is lost. Inverse of toWaypoints for states on the slices. */
+        void toCoordinates(const Waypoints &path, Eigen::Ref<Eigen::VectorXd> x) const;
+
+        /** \brief Lays the slices of a straight frame across a path of any number of states: on each slice the first
+            point of \e path that comes to it. False if the path misses a slice or stands still in position. */
+        bool crossings(const Waypoints &path, Waypoints &onSlices) const;
+
+    private:
+        struct Slice
+        {
+            Eigen::Index offset;
+            Eigen::Index dimension;
+            Eigen::MatrixXd basis;  ///< positions x lateral offsets, orthonormal columns
+            Eigen::VectorXd along;  ///< positions; direction of the axis, zero where it stands still
+        };
+
+        Slice makeSlice(std::size_t k, Eigen::Index offset) const;
+        void setBounds(std::size_t k, double reach);
+
+        StateChartPtr chart_;
+        Waypoints axis_;
+        std::vector<Slice> slices_;
+        Eigen::VectorXd lower_;
+        Eigen::VectorXd upper_;
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,69 @@
+#include "engine/fireflies/SliceGraph.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    SliceGraph::SliceGraph(const SliceFrame &frame, PathEvaluator &evaluator)
+      : frame_(frame)
+      , evaluator_(evaluator)
+      , candidates_(frame.slices(), Waypoints(frame.chart()->space()))
+      , graph_(evaluator)
+    {
+    }
+
+    void SliceGraph::clear()
+    {
+        for (auto &candidates : candidates_)
+            candidates.clear();
+    }
+
+    void SliceGraph::addCandidate(std::size_t k, const ob::State *state)
+    {
+        candidates_[k].append(state);
+    }
+
+    void SliceGraph::addCandidates(const Waypoints &path)
+    {
+        for (std::size_t k = 0; k < candidates_.size(); ++k)
+            addCandidate(k, path[k + 1]);
+    }
+
+    bool SliceGraph::search(double bound, std::uint64_t work, Waypoints &path)
+    {
+        const ob::State *start = frame_.axis().front();
+        const ob::State *goal = frame_.axis().back();
+        graph_.clear();
+        std::vector<std::size_t> layer{graph_.addVertex(start, true)};
+        graph_.setStart(layer.front());
+        std::vector<std::size_t> next;
+        const auto join = [&]
+        {
+            for (const std::size_t from : layer)
+            {
+                for (const std::size_t to : next)
+                {
+                    if (!graph_.addEdge(from, to, false))
+                        return false;
+                }
+            }
+            evaluator_.addWork(layer.size() * next.size() / 2);
+            layer.swap(next);
+            return true;
+        };
+        for (const auto &candidates : candidates_)
+        {
+            next.clear();
+            for (std::size_t i = 0; i < candidates.size(); ++i)
+            {
+                if (evaluator_.bounds().canBeat(start, candidates[i], goal, bound))
+                    next.push_back(graph_.addVertex(candidates[i], false));
+            }
+            if (!join())
+                return false;
+        }
+        next.assign(1, graph_.addVertex(goal, true));
+        graph_.setGoal(next.front());
+        return join() && graph_.search(bound, work, path);
+    }
+}  // namespace ompl_mfa

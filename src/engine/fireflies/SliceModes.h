@@ -1,0 +1,63 @@
+#ifndef OMPL_MFA_PATH_SLICE_MODES_
+#define OMPL_MFA_PATH_SLICE_MODES_
+
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include "engine/fireflies/SliceFrame.h"
+
+namespace ompl_mfa
+{
+    /** \brief Smooth coordinates of the paths over a SliceFrame: the amplitudes of sine waves along the axis, which
+       vanish at start and goal, instead of an offset on each slice. The k-th wave may be 1/k as high as the first, so
+       that a random point of this box is a smooth path, where a random point of the frame's own box is a jagged one
+       that is far too long to be of use.
+
+        The transform is orthonormal (the discrete sine transform of the first kind) and is its own inverse. */
+    class SliceModes
+    {
+    public:
+        /** \brief Whether all slices of \e frame have the same number of coordinates, at least one, as modes ask for.
+         */
+        static bool exist(const SliceFrame &frame);
+
+        /** \brief \e frame outlives the object; its modes exist. */
+        explicit SliceModes(const SliceFrame &frame);
+
+        /** \brief Smallest amplitudes (d, as the frame's dimension). */
+        const Eigen::VectorXd &lower() const
+        {
+            return lower_;
+        }
+
+        /** \brief Largest amplitudes (d). */
+        const Eigen::VectorXd &upper() const
+        {
+            return upper_;
+        }
+
+        /** \brief The frame's coordinates \e x (d) at \e amplitudes (d); what would leave the frame's box is set to its
+            bound. */
+        void toCoordinates(const Eigen::Ref<const Eigen::VectorXd> &amplitudes, Eigen::Ref<Eigen::VectorXd> x) const;
+
+        /** \brief The same for \e count slices from slice \e first on: only their coordinates of \e x are written. */
+        void toCoordinates(const Eigen::Ref<const Eigen::VectorXd> &amplitudes, std::size_t first, std::size_t count,
+                           Eigen::Ref<Eigen::VectorXd> x) const;
+
+        /** \brief How many slices, at least one, take no more than a fraction of a millisecond. */
+        std::size_t slicesAtOnce() const;
+
+        /** \brief The amplitudes (d) at the frame's coordinates \e x (d). */
+        void toAmplitudes(const Eigen::Ref<const Eigen::VectorXd> &x, Eigen::Ref<Eigen::VectorXd> amplitudes) const;
+
+    private:
+        const SliceFrame &frame_;
+        Eigen::Index perSlice_;
+        Eigen::MatrixXd waves_;  ///< slices x slices
+        Eigen::VectorXd lower_;
+        Eigen::VectorXd upper_;
+    };
+}  // namespace ompl_mfa
+
+#endif

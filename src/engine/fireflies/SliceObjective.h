@@ -1,0 +1,65 @@
+#ifndef OMPL_MFA_PATH_SLICE_OBJECTIVE_
+#define OMPL_MFA_PATH_SLICE_OBJECTIVE_
+
+#include <functional>
+
+#include "ompl_mfa/optimizer/ObjectiveFunction.h"
+#include "path/PathEvaluator.h"
+#include "engine/fireflies/SliceFrame.h"
+#include "engine/fireflies/SliceModes.h"
+
+namespace ompl_mfa
+{
+    /** \brief What the fireflies optimise: the brightness of the path at the coordinates of a SliceFrame, or at the
+        amplitudes of its modes. Frame, modes and evaluator must outlive it. */
+    class SliceObjective : public ObjectiveFunction
+    {
+    public:
+        /** \brief Called with every valid path that an evaluation finds. */
+        using ValidPathEvent = std::function<void(const Waypoints &path, const Brightness &brightness)>;
+
+        /** \brief \e modes may be null. */
+        SliceObjective(const SliceFrame &frame, const SliceModes *modes, PathEvaluator &evaluator,
+                       ValidPathEvent validPath);
+
+        /** \brief From now on a path must cost less than \e bound (be better than it, as the objective orders costs):
+            one that does not is not checked for collision, and is dimmer than any that does, by its distance from the
+            bound. Infinite: no bound. Brightness that was computed under another bound is compared as if it had been
+            under this one; a path that was never checked is then the dimmest of those that keep to the bound. Returns
+            whether the order of any brightness may have changed. */
+        bool setBound(double bound);
+
+        double bound() const
+        {
+            return bound_;
+        }
+
+        /** \brief As in PathEvaluator::evaluate; 1 at first. */
+        void setStride(unsigned int stride);
+
+        /** \brief The frame's coordinates \e offsets (d) at \e x (d): the same, or those of the modes. False if
+            interrupted. */
+        bool toOffsets(const Eigen::Ref<const Eigen::VectorXd> &x, Eigen::Ref<Eigen::VectorXd> offsets);
+
+        /** \brief The violation is infinite where the path is beyond the bound, as it is then not known. */
+        Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) override;
+        bool isBrighter(const Brightness &a, const Brightness &b) const override;
+
+    private:
+        bool withinBound(double cost) const;
+        Brightness underBound(const Brightness &brightness) const;
+
+        const SliceFrame &frame_;
+        const SliceModes *modes_;
+        PathEvaluator &evaluator_;
+        ValidPathEvent validPath_;
+        Waypoints path_;
+        Eigen::VectorXd coordinates_;
+        Eigen::VectorXd scratch_;
+        double bound_;
+        unsigned int stride_{1};
+        double beyondBound_;  ///< larger than the violation of any path that keeps to the bound
+    };
+}  // namespace ompl_mfa
+
+#endif

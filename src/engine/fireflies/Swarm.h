@@ -1,0 +1,107 @@
+#ifndef OMPL_MFA_PLANNER_SWARM_
+#define OMPL_MFA_PLANNER_SWARM_
+
+#include <cstdint>
+#include <memory>
+
+#include "ompl_mfa/optimizer/FireflyOptimizer.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
+#include "engine/fireflies/SliceFrame.h"
+#include "engine/fireflies/SliceGraph.h"
+#include "engine/fireflies/SliceModes.h"
+#include "engine/fireflies/SliceObjective.h"
+
+namespace ompl_mfa
+{
+    /** \brief Fireflies over the slices of one frame, epoch after epoch. */
+    class Swarm
+    {
+    public:
+        /** \brief What a firefly's coordinates are: an offset on each slice, as in the paper, or the amplitudes of
+            SliceModes (offsets where the frame has no modes). */
+        enum class Coordinates
+        {
+            Offsets,
+            Modes
+        };
+
+        /** \brief \e frame has at least one coordinate; \e evaluator outlives the swarm. */
+        Swarm(SliceFrame frame, Coordinates coordinates, PathEvaluator &evaluator,
+              const FireflyOptimizer::Settings &settings, std::uint64_t seed, SliceObjective::ValidPathEvent validPath);
+        Swarm(const Swarm &) = delete;
+        Swarm &operator=(const Swarm &) = delete;
+
+        /** \brief Puts \e path (one state on each slice between start and goal) into the swarm before its first
+            generation. */
+        void inject(const Waypoints &path);
+
+        /** \brief As SliceObjective::setBound; the fireflies are ordered by the new bound. */
+        void setBound(double bound);
+
+        /** \brief As PathEvaluator::evaluate. */
+        void setStride(unsigned int stride)
+        {
+            objective_.setStride(stride);
+        }
+
+        /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. Allocates; not
+            for the search. */
+        void pathOf(Eigen::Index i, Waypoints &path) const;
+
+        /** \brief One generation, as FireflyOptimizer::step, whose operations are counted as work of the evaluator.
+            After the last generation of an epoch the next begins with the brightest fifth of the old swarm among new
+            random fireflies. */
+        bool step(const FireflyOptimizer::StopCondition &stop);
+
+        /** \brief Recombination: searches the graph of the fireflies' points, of \e path (one state on each slice; may
+           be empty) and of fresh states on the slices for a path better than \e bound, within about \e work units of
+            PathEvaluator::work(). True with the path in \e found. */
+        bool recombine(const Waypoints &path, double bound, std::uint64_t work, Waypoints &found);
+
+        const SliceFrame &frame() const
+        {
+            return frame_;
+        }
+
+        const FireflyOptimizer &fireflies() const
+        {
+            return *fireflies_;
+        }
+
+        /** \brief Completed epochs. */
+        unsigned int epoch() const
+        {
+            return epoch_;
+        }
+
+        /** \brief Path evaluations of all epochs. */
+        std::uint64_t evaluations() const
+        {
+            return earlierEvaluations_ + fireflies_->evaluations();
+        }
+
+    private:
+        void beginEpoch();
+        std::unique_ptr<FireflyOptimizer> makeFireflies(const FireflyOptimizer::Settings &settings,
+                                                        std::uint64_t seed) const;
+        void countOperations();
+        bool addCandidates();
+
+        SliceFrame frame_;
+        PathEvaluator &evaluator_;
+        std::unique_ptr<SliceModes> modes_;
+        SliceObjective objective_;
+        SliceGraph graph_;
+        RandomSource random_;
+        Waypoints point_;
+        Eigen::VectorXd coordinates_;  ///< of the frame
+        Eigen::VectorXd scratch_;
+        std::uint64_t seed_;
+        std::unique_ptr<FireflyOptimizer> fireflies_;
+        unsigned int epoch_{0};
+        std::uint64_t earlierEvaluations_{0};
+        std::uint64_t countedOperations_{0};  ///< of fireflies_, as far as they were added to the evaluator's work
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,197 @@
+#include "engine/fireflies/Swarms.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "path/PathDeformation.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Pairs of start and goal beyond these get no swarm of their own. */
+        constexpr std::size_t MAX_SWARMS = 8;
+        /* Generations in a window. */
+        constexpr unsigned int WINDOW_GENERATIONS = 15;
+        /* One window in so many has its slices across the path, not across the straight motion. */
+        constexpr std::size_t CURVED_WINDOWS = 3;
+    }  // namespace
+
+    Swarms::Swarms(const SearchContext &context, const Options &options)
+      : context_(context)
+      , options_(options)
+      , windowRandom_(streamSeed(context.seed, Stream::Windows))
+      , firefly_{Waypoints(context.chart->space()), std::nullopt, Proposal::Stage::Raw, PartKind::Fireflies}
+    {
+    }
+
+    bool Swarms::any() const
+    {
+        return context_.hasEnds() && (laid_ == 0 || !straight_.empty() || window_);
+    }
+
+    Swarm *Swarms::active()
+    {
+        if (std::exchange(choose_, false))
+            choose();
+        return active_;
+    }
+
+    const WindowSwarm *Swarms::window() const
+    {
+        return window_ && active_ == &window_->swarm() ? window_.get() : nullptr;
+    }
+
+    WindowSwarm *Swarms::window()
+    {
+        return window_ && active_ == &window_->swarm() ? window_.get() : nullptr;
+    }
+
+    void Swarms::choose()
+    {
+        active_ = nullptr;
+        layStraight();
+        const bool windows = context_.incumbent.hasPath() && options_.windows;
+        if (windows && (straight_.size() < 2 || chosen_++ % 2 == 0))
+        {
+            if (!window_ || window_->exhausted())
+                openWindow();
+            if (window_)
+                active_ = &window_->swarm();
+        }
+        if (active_ == nullptr && !straight_.empty())
+            active_ = straight_[context_.progress.iterations / (2UL * context_.settings.generations) % straight_.size()]
+                          .get();
+    }
+
+    /* Swarms on straight axes are made when the first of them is to fly: as a rule a guide has found a path before. */
+    void Swarms::layStraight()
+    {
+        while (laid_ < MAX_SWARMS && !context_.evaluator().stopped())
+        {
+            const auto pair = pairs_.next(context_.query);
+            if (!pair)
+                return;
+            SliceFrame frame =
+                SliceFrame::straight(context_.chart, context_.query.starts()[pair->first],
+                                     context_.query.goals()[pair->second], context_.settings.slices + 1);
+            ++laid_;
+            if (frame.dimension() > 0)
+                straight_.push_back(std::make_unique<Swarm>(
+                    std::move(frame), options_.coordinates, context_.evaluator(), options_.fireflies,
+                    streamSeed(context_.seed, Stream::Swarm, straight_.size()),
+                    [this](const Waypoints &path, const Brightness &brightness)
+                    { keepFirefly(path, brightness.cost); }));
+        }
+    }
+
+    /* A part of the best path, any as likely as any other; where the slices are laid across the path, the alternatives
+       have their turns too. */
+    void Swarms::openWindow()
+    {
+        const Alternatives &alternatives = context_.alternatives;
+        const bool curved = windows_ % CURVED_WINDOWS == CURVED_WINDOWS - 1;
+        const std::size_t axis = curved ? windows_ / CURVED_WINDOWS % (alternatives.size() + 1) : 0;
+        WindowSwarm::Window window{axis == 0 ? context_.incumbent.path() : alternatives[axis - 1], 0, 0,
+                                   context_.incumbent.cost()};
+        const auto vertices = static_cast<unsigned int>(window.path.size());
+        // a single motion can only be replaced where it is all there is
+        window.first = vertices > 2 ? windowRandom_.index(vertices - 2) : 0;
+        const auto nearest = std::min<std::size_t>(window.first + 2, vertices - 1);
+        window.last = nearest + windowRandom_.index(static_cast<unsigned int>(vertices - nearest));
+        FireflyOptimizer::Settings settings = options_.fireflies;
+        settings.generations = std::min(settings.generations, WINDOW_GENERATIONS);
+        ++windows_;
+        window_ =
+            WindowSwarm::open(std::move(window), curved ? WindowSwarm::Frame::Curved : WindowSwarm::Frame::Straight,
+                              (context_.settings.slices + 1) / 2, context_.chart, context_.evaluator(), settings,
+                              streamSeed(context_.seed, Stream::WindowSwarm, windows_));
+    }
+
+    bool Swarms::fly(std::uint64_t work)
+    {
+        PathEvaluator &evaluator = context_.evaluator();
+        const std::uint64_t limit = evaluator.work() + work;
+        const std::uint64_t before = active_->evaluations();
+        const bool completed = active_->step([&] { return evaluator.work() >= limit || evaluator.stopped(); });
+        context_.progress.evaluations += active_->evaluations() - before;
+        if (completed && active_->fireflies().generation() > 0)
+            ++context_.progress.iterations;
+        return completed;
+    }
+
+    void Swarms::endGeneration(Findings &findings)
+    {
+        if (window() != nullptr)
+            pursueWindow(findings);
+        choose_ = true;
+    }
+
+    /* What the fireflies of a window found is compared with the segment that is there, after tightening; then the
+       window has served. */
+    void Swarms::pursueWindow(Findings &findings)
+    {
+        PathEvaluator &evaluator = context_.evaluator();
+        if (window_->found().empty() || evaluator.stopped())
+            return;
+        active_ = nullptr;
+        const std::unique_ptr<WindowSwarm> window = std::move(window_);
+        // one that can be deformed into the segment that is there would only be tightened to that
+        if (!context_.settings.tightening || !seemDeformable(evaluator, window->found(), window->segment()))
+            findings.detours.push_back(window->detour(PartKind::Fireflies));
+    }
+
+    void Swarms::keepFirefly(const Waypoints &path, double cost)
+    {
+        if (!firefly_.path.empty() && !context_.objective().isCostBetterThan(ob::Cost(cost), *firefly_.cost))
+            return;
+        firefly_.path = path;
+        firefly_.cost = ob::Cost(cost);
+    }
+
+    std::optional<Proposal> Swarms::takeFirefly()
+    {
+        if (firefly_.path.empty())
+            return std::nullopt;
+        Proposal firefly = firefly_;
+        firefly_.path.clear();
+        return firefly;
+    }
+
+    std::vector<Waypoints> Swarms::currentPaths() const
+    {
+        std::vector<Waypoints> paths;
+        if (active_ == nullptr)
+            return paths;
+        Waypoints path(context_.chart->space());
+        for (const unsigned int i : active_->fireflies().order())
+        {
+            active_->pathOf(i, path);
+            paths.push_back(window() != nullptr ? window()->pathWith(path) : path);
+        }
+        return paths;
+    }
+
+    void Swarms::explain(SearchGraph &graph) const
+    {
+        Waypoints path(context_.chart->space());
+        const auto add = [&](const Swarm &swarm, const WindowSwarm *window)
+        {
+            const FireflyOptimizer &fireflies = swarm.fireflies();
+            for (const unsigned int i : fireflies.order())
+            {
+                // of the others nobody knows which states are valid
+                if (!fireflies.brightness(i).isFeasible())
+                    continue;
+                swarm.pathOf(i, path);
+                graph.addPath(window != nullptr ? window->pathWith(path) : path);
+            }
+        };
+        for (const auto &swarm : straight_)
+            add(*swarm, nullptr);
+        if (window_)
+            add(window_->swarm(), window_.get());
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,93 @@
+#ifndef OMPL_MFA_ENGINE_FIREFLIES_SWARMS_
+#define OMPL_MFA_ENGINE_FIREFLIES_SWARMS_
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/EndPairs.h"
+#include "engine/SearchPart.h"
+#include "engine/fireflies/Swarm.h"
+#include "engine/fireflies/WindowSwarm.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
+
+namespace ompl_mfa
+{
+    /** \brief The swarms of a search: over the straight axes between starts and goals, and in windows of the best path
+        or an alternative. One of them is active at a time. */
+    class Swarms
+    {
+    public:
+        struct Options
+        {
+            Swarm::Coordinates coordinates{Swarm::Coordinates::Modes};  ///< of the swarms over straight axes
+            bool windows{true};  ///< whether swarms fly in windows once there is a path
+            bool bounded{true};  ///< whether fireflies that cannot become the best path are not checked for validity
+            FireflyOptimizer::Settings fireflies;
+        };
+
+        /** \brief \e context outlives the object. */
+        Swarms(const SearchContext &context, const Options &options);
+
+        const Options &options() const
+        {
+            return options_;
+        }
+
+        /** \brief Whether there is a swarm, or can be one. */
+        bool any() const;
+
+        /** \brief The active swarm, chosen now if that is due: those over straight axes take turns by generations; once
+            there is a path, windows have every other turn, or all of them where there is only one axis (the whole path
+            is a window too). Null where there is none. */
+        Swarm *active();
+
+        /** \brief The active swarm, or null where none was chosen. */
+        const Swarm *current() const
+        {
+            return active_;
+        }
+
+        /** \brief The window in which the active swarm flies, or null. */
+        const WindowSwarm *window() const;
+        WindowSwarm *window();
+
+        /** \brief Advances the active swarm, which there is, by about \e work; true if a generation was completed. */
+        bool fly(std::uint64_t work);
+
+        /** \brief To be called after a generation or recombination: what the window has found becomes a detour, and the
+            next call of active() chooses. */
+        void endGeneration(Findings &findings);
+
+        /** \brief The best valid firefly over a straight axis since the last call, with its cost; none if empty. */
+        std::optional<Proposal> takeFirefly();
+
+        /** \brief The paths of the current swarm, brightest first. */
+        std::vector<Waypoints> currentPaths() const;
+
+        /** \brief Adds all fireflies that are valid. */
+        void explain(SearchGraph &graph) const;
+
+    private:
+        void choose();
+        void layStraight();
+        void openWindow();
+        void pursueWindow(Findings &findings);
+        void keepFirefly(const Waypoints &path, double cost);
+
+        const SearchContext &context_;
+        Options options_;
+        EndPairs pairs_;
+        std::size_t laid_{0};                         ///< pairs that were returned by pairs_
+        std::vector<std::unique_ptr<Swarm>> straight_;
+        std::unique_ptr<WindowSwarm> window_;
+        Swarm *active_{nullptr};  ///< the window's, or one of straight_
+        bool choose_{true};       ///< whether active_ is to be chosen again
+        std::size_t chosen_{0};   ///< how often, where windows and straight axes alternate
+        std::size_t windows_{0};  ///< opened so far
+        RandomSource windowRandom_;
+        Proposal firefly_;
+    };
+}  // namespace ompl_mfa
+
+#endif

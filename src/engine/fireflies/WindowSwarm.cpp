@@ -1,0 +1,140 @@
+#include "engine/fireflies/WindowSwarm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* A way may be longer than the one that is there by this part of the whole path's cost: tightening makes it
+           shorter. */
+        constexpr double SLACK = 0.15;
+        /* Of so many states of a motion one is asked first, and the others only if all of those are valid: most
+           fireflies collide. */
+        constexpr unsigned int STRIDE = 20;
+    }  // namespace
+
+    WindowSwarm::WindowSwarm(Window window, PathEvaluator &evaluator)
+      : window_(std::move(window))
+      , evaluator_(evaluator)
+      , segment_(window_.path.space())
+      , found_(window_.path.space())
+    {
+        for (std::size_t i = window_.first; i <= window_.last; ++i)
+            segment_.append(window_.path[i]);
+        cost_ = evaluator_.cost(segment_);
+        bound_ = boundOf(cost_);
+    }
+
+    /* The slack is a part of the whole path's cost, or of the segment's own where the path has no finite cost. What
+       replaces a segment of infinite cost only has to have a finite one. */
+    double WindowSwarm::boundOf(ob::Cost segment) const
+    {
+        const double whole = std::isfinite(window_.pathCost) ? window_.pathCost : segment.value();
+        const double slack = std::isfinite(whole) ? evaluator_.withSlack(whole, 1.0 + SLACK) - whole : 0.0;
+        return std::clamp(segment.value() + slack, std::numeric_limits<double>::lowest(),
+                          std::numeric_limits<double>::max());
+    }
+
+    std::unique_ptr<WindowSwarm> WindowSwarm::open(Window window, Frame frame, unsigned int slices,
+                                                   const StateChartPtr &chart, PathEvaluator &evaluator,
+                                                   const FireflyOptimizer::Settings &settings, std::uint64_t seed)
+    {
+        std::unique_ptr<WindowSwarm> result(new WindowSwarm(std::move(window), evaluator));
+        SliceFrame laid =
+            frame == Frame::Straight ? result->straightFrame(chart, slices) : result->curvedFrame(chart, slices);
+        if (laid.dimension() == 0)
+            return nullptr;
+        const auto validSegment = [found = result.get()](const Waypoints &segment, const Brightness &brightness)
+        { found->take(segment, brightness.cost); };
+        result->swarm_ =
+            std::make_unique<Swarm>(std::move(laid), Swarm::Coordinates::Modes, evaluator, settings, seed, validSegment);
+        result->swarm_->setBound(result->bound_);
+        result->swarm_->setStride(STRIDE);
+        return result;
+    }
+
+    /* How far aside of an axis of this length a way may go that keeps to the slack: half the minor axis of the
+       ellipsoid that holds all such ways. */
+    double WindowSwarm::reach(double axis) const
+    {
+        const double longest = segment_.length() + SLACK * window_.path.length();
+        return 0.5 * std::sqrt(std::max(0.0, longest * longest - axis * axis));
+    }
+
+    SliceFrame WindowSwarm::straightFrame(const StateChartPtr &chart, unsigned int slices) const
+    {
+        return SliceFrame::straight(chart, segment_.front(), segment_.back(), slices + 1,
+                                    reach(chart->distance(segment_.front(), segment_.back())));
+    }
+
+    /* An axis through the vertices, with more of them where motions are long. */
+    SliceFrame WindowSwarm::curvedFrame(const StateChartPtr &chart, unsigned int slices) const
+    {
+        const auto &space = chart->space();
+        const double length = segment_.length();
+        const double spacing = length / (slices + 1);
+        Waypoints axis(space);
+        axis.append(segment_.front());
+        for (std::size_t i = 1; i < segment_.size(); ++i)
+        {
+            const double distance = chart->distance(segment_[i - 1], segment_[i]);
+            const auto pieces =
+                spacing > 0.0 ? std::max(1U, static_cast<unsigned int>(std::lround(distance / spacing))) : 1U;
+            for (unsigned int j = 1; j < pieces; ++j)
+            {
+                axis.append(segment_[i]);
+                auto *state = axis[axis.size() - 1];
+                chart->interpolate(segment_[i - 1], segment_[i], static_cast<double>(j) / pieces, state);
+                space->enforceBounds(state);
+            }
+            axis.append(segment_[i]);
+        }
+        return {chart, std::move(axis), reach(length)};
+    }
+
+    bool WindowSwarm::step(const FireflyOptimizer::StopCondition &stop)
+    {
+        return swarm_->step(stop);
+    }
+
+    bool WindowSwarm::take(const Waypoints &segment, double cost)
+    {
+        if (!found_.empty() && !evaluator_.objective()->isCostBetterThan(ob::Cost(cost), ob::Cost(foundCost_)))
+            return false;
+        found_ = segment;
+        foundCost_ = cost;
+        return true;
+    }
+
+    bool WindowSwarm::recombine(std::uint64_t work)
+    {
+        const Waypoints none(window_.path.space());
+        Waypoints spliced(window_.path.space());
+        // where the stop condition left the cost of what was found unknown, that is no bound
+        const bool better =
+            !found_.empty() && evaluator_.objective()->isCostBetterThan(ob::Cost(foundCost_), ob::Cost(bound_));
+        return swarm_->recombine(none, better ? foundCost_ : bound_, work, spliced) &&
+               take(spliced, evaluator_.cost(spliced).value());
+    }
+
+    bool WindowSwarm::exhausted() const
+    {
+        return swarm_->fireflies().generation() >= swarm_->fireflies().settings().generations;
+    }
+
+    Detour WindowSwarm::detour(PartKind origin) const
+    {
+        return {found_, ob::Cost(foundCost_), cost_, window_.path, window_.first, window_.last, origin};
+    }
+
+    Waypoints WindowSwarm::pathWith(const Waypoints &segment) const
+    {
+        return replaceSegment(window_.path, window_.first, window_.last, segment);
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,116 @@
+#ifndef OMPL_MFA_PLANNER_WINDOW_SWARM_
+#define OMPL_MFA_PLANNER_WINDOW_SWARM_
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include <ompl/base/Cost.h>
+
+#include "engine/SearchPart.h"
+#include "engine/fireflies/Swarm.h"
+
+namespace ompl_mfa
+{
+    /** \brief Fireflies in a window of a path: they look for another way between two of its vertices, and know nothing
+        of the one that is there.
+
+        A window is a problem of the paper's kind, small enough for a few generations: fewer slices, shorter paths, and
+        a way that may be longer by a part of the whole path's cost, so that it can pass an obstacle on another side
+        before it is tightened. */
+    class WindowSwarm
+    {
+    public:
+        /** \brief Where the slices lie: across the straight motion from end to end of the window, or across the path
+            within it. */
+        enum class Frame
+        {
+            Straight,
+            Curved
+        };
+
+        /** \brief The vertices \e first < \e last of a path of cost \e pathCost, which may be infinite. */
+        struct Window
+        {
+            Waypoints path;
+            std::size_t first;
+            std::size_t last;
+            double pathCost;
+        };
+
+        /** \brief Null where the slices have no coordinates, as in one dimension. \e slices of a straight frame, and
+            about as many of a curved one; \e evaluator outlives the swarm. */
+        static std::unique_ptr<WindowSwarm> open(Window window, Frame frame, unsigned int slices,
+                                                 const StateChartPtr &chart, PathEvaluator &evaluator,
+                                                 const FireflyOptimizer::Settings &settings, std::uint64_t seed);
+
+        /** \brief One generation, as FireflyOptimizer::step. */
+        bool step(const FireflyOptimizer::StopCondition &stop);
+
+        /** \brief As Swarm::recombine; true if it found a better segment than found(), which that now is. */
+        bool recombine(std::uint64_t work);
+
+        /** \brief Whether all generations were made. */
+        bool exhausted() const;
+
+        /** \brief The best valid segment so far from the first vertex of the window to its last; empty before the
+            first. */
+        const Waypoints &found() const
+        {
+            return found_;
+        }
+
+        /** \brief What a segment has to cost less than: never infinite, whatever the path costs. */
+        double bound() const
+        {
+            return bound_;
+        }
+
+        /** \brief The segment of the path within the window. */
+        const Waypoints &segment() const
+        {
+            return segment_;
+        }
+
+        /** \brief Cost of segment(). */
+        ompl::base::Cost cost() const
+        {
+            return cost_;
+        }
+
+        /** \brief What found() would replace. */
+        Detour detour(PartKind origin) const;
+
+        /** \brief The whole path, with \e segment instead of segment(). */
+        Waypoints pathWith(const Waypoints &segment) const;
+
+        Swarm &swarm()
+        {
+            return *swarm_;
+        }
+
+        const Swarm &swarm() const
+        {
+            return *swarm_;
+        }
+
+    private:
+        WindowSwarm(Window window, PathEvaluator &evaluator);
+        SliceFrame straightFrame(const StateChartPtr &chart, unsigned int slices) const;
+        SliceFrame curvedFrame(const StateChartPtr &chart, unsigned int slices) const;
+        double reach(double axis) const;
+        double boundOf(ompl::base::Cost segment) const;
+        bool take(const Waypoints &segment, double cost);
+
+        Window window_;
+        PathEvaluator &evaluator_;
+        Waypoints segment_;
+        ompl::base::Cost cost_;
+        double bound_;
+        std::unique_ptr<Swarm> swarm_;
+        Waypoints found_;
+        double foundCost_{0.0};  ///< of found_, unless that is empty
+    };
+}  // namespace ompl_mfa
+
+#endif

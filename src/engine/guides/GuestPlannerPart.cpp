@@ -1,0 +1,273 @@
+#include "engine/guides/GuestPlannerPart.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/Exception.h>
+
+#include "engine/GoalDistance.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Until there is a path, a turn lasts at least as long as all turns so far divided by this: a planner that
+           starts over in each turn comes to its end all the same, in a few times the work that it needs. */
+        constexpr std::uint64_t FRUITLESS = 4;
+
+        using Count = std::shared_ptr<std::atomic<std::uint64_t>>;
+
+        class CountingChecker : public ob::StateValidityChecker
+        {
+        public:
+            CountingChecker(const ob::SpaceInformationPtr &si, Count count)
+              : StateValidityChecker(si)
+              , checker_(si->getStateValidityChecker())
+              , count_(std::move(count))
+            {
+                specs_ = checker_->getSpecs();
+            }
+
+            bool isValid(const ob::State *state) const override
+            {
+                ++*count_;
+                return checker_->isValid(state);
+            }
+
+            double clearance(const ob::State *state) const override
+            {
+                ++*count_;
+                return checker_->clearance(state);
+            }
+
+            double clearance(const ob::State *state, ob::State *validState, bool &available) const override
+            {
+                ++*count_;
+                return checker_->clearance(state, validState, available);
+            }
+
+        private:
+            ob::StateValidityCheckerPtr checker_;
+            Count count_;
+        };
+
+        class CountingValidator : public ob::MotionValidator
+        {
+        public:
+            CountingValidator(const ob::SpaceInformationPtr &si, Count count)
+              : MotionValidator(si)
+              , user_(si)
+              , count_(std::move(count))
+            {
+            }
+
+            bool checkMotion(const ob::State *from, const ob::State *to) const override
+            {
+                const bool valid = user_->getMotionValidator()->checkMotion(from, to);
+                *count_ += PathEvaluator::motionWork(*user_, {from, to}, valid);
+                return valid;
+            }
+
+            bool checkMotion(const ob::State *from, const ob::State *to,
+                             std::pair<ob::State *, double> &lastValid) const override
+            {
+                const bool valid = user_->getMotionValidator()->checkMotion(from, to, lastValid);
+                *count_ += PathEvaluator::motionWork(*user_, {from, to}, valid);
+                return valid;
+            }
+
+        private:
+            ob::SpaceInformationPtr user_;
+            Count count_;
+        };
+
+        /* The user's space information as seen by a planner whose work is counted. */
+        class CountedSpaceInformation : public ob::SpaceInformation
+        {
+        public:
+            CountedSpaceInformation(const ob::SpaceInformationPtr &user, const Count &count)
+              : SpaceInformation(user->getStateSpace())
+            {
+                setStateValidityChecker(std::make_shared<CountingChecker>(user, count));
+                setMotionValidator(std::make_shared<CountingValidator>(user, count));
+                setValidStateSamplerAllocator([user](const ob::SpaceInformation *)
+                                              { return user->allocValidStateSampler(); });
+                // the space was set up with the user's space information and may be in use by other threads
+                setup_ = true;
+            }
+        };
+
+        /* The goal states that are known, which any planner can sample, and what else the user's goal is satisfied
+           with. */
+        class KnownGoals : public ob::GoalStates
+        {
+        public:
+            KnownGoals(const ob::SpaceInformationPtr &si, ob::GoalPtr goal)
+              : GoalStates(si)
+              , goal_(std::move(goal))
+              , guard_(si->getStateSpace())
+            {
+                if (goal_->hasType(ob::GOAL_REGION))
+                    setThreshold(goal_->as<ob::GoalRegion>()->getThreshold());
+            }
+
+            double distanceGoal(const ob::State *state) const override
+            {
+                double distance = 0.0;
+                isSatisfied(state, &distance);
+                return distance;
+            }
+
+            bool isSatisfied(const ob::State *state) const override
+            {
+                return isSatisfied(state, nullptr);
+            }
+
+            bool isSatisfied(const ob::State *state, double *distance) const override
+            {
+                return ompl_mfa::isSatisfied(*goal_, guard_, state, distance);
+            }
+
+        private:
+            ob::GoalPtr goal_;
+            DubinsGuard guard_;
+        };
+    }  // namespace
+
+    GuestPlannerPart::GuestPlannerPart(const SearchContext &context, const ob::PlannerAllocator &allocator)
+      : GuidePart(PartKind::GuestPlanner, context)
+      , evaluator_(context.evaluator())
+      , checked_(std::make_shared<std::atomic<std::uint64_t>>(0))
+      , si_(std::make_shared<CountedSpaceInformation>(evaluator_.spaceInformation(), checked_))
+      , goals_(std::make_shared<KnownGoals>(si_, context.query.goal()))
+      , pdef_(std::make_shared<ob::ProblemDefinition>(si_))
+      , planner_(allocator(si_))
+    {
+        if (!planner_)
+            throw ompl::Exception("MFA", "the allocator of the guide planner returned no planner");
+        pdef_->setGoal(goals_);
+        pdef_->setOptimizationObjective(evaluator_.objective());
+        planner_->setProblemDefinition(pdef_);
+    }
+
+    Share GuestPlannerPart::firstShare() const
+    {
+        return {0.30, 0.30};
+    }
+
+    Share GuestPlannerPart::improvementShare(double /*seconds*/) const
+    {
+        return {0.20, 0.20};
+    }
+
+    Readiness GuestPlannerPart::readiness() const
+    {
+        const Query &query = context().query;
+        const bool accepted = query.starts().size() > refusedStarts_ || query.goals().size() > refusedGoals_;
+        return context().hasEnds() && accepted ? Readiness::Ready : Readiness::Idle;
+    }
+
+    void GuestPlannerPart::addEnds()
+    {
+        const Query &query = context().query;
+        for (std::size_t i = pdef_->getStartStateCount(); i < query.starts().size(); ++i)
+            pdef_->addStartState(query.starts()[i]);
+        for (std::size_t i = goals_->getStateCount(); i < query.goals().size(); ++i)
+            goals_->addState(query.goals()[i]);
+    }
+
+    ob::PlannerStatus GuestPlannerPart::run(std::uint64_t work)
+    {
+        *checked_ = 0;
+        std::atomic<std::uint64_t> asked{0};
+        const ob::PlannerTerminationCondition turnOver(
+            [&]
+            {
+                if (++asked + *checked_ >= work)
+                    return true;
+                // planners with several threads ask from all of them
+                const std::lock_guard<std::mutex> lock(stopMutex_);
+                return evaluator_.stopped();
+            });
+        if (!planner_->isSetup())
+            planner_->setup();
+        const ob::PlannerStatus status = planner_->solve(turnOver);
+        const std::uint64_t done = asked + *checked_;
+        evaluator_.addWork(asked);
+        evaluator_.addChecks(*checked_);
+        fruitless_ += done;
+        returnedEarly_ = done < work && !evaluator_.stopped();
+        return status;
+    }
+
+    void GuestPlannerPart::restart()
+    {
+        planner_->clear();
+        pdef_->clearSolutionPaths();
+        fresh_ = true;
+        taken_.reset();
+    }
+
+    bool GuestPlannerPart::search(double /*bound*/, std::uint64_t work, Waypoints &path)
+    {
+        if (readiness() == Readiness::Idle)
+            return false;
+        addEnds();
+        const bool fresh = std::exchange(fresh_, false);
+        const ob::PlannerStatus status = run(pdef_->hasExactSolution() ? work : std::max(work, fruitless_ / FRUITLESS));
+        const bool found = takePath(path);
+        if (found)
+            fruitless_ = 0;
+        if (!returnedEarly_)
+            return found;
+        const bool searched = status == ob::PlannerStatus::TIMEOUT ||
+                              status == ob::PlannerStatus::APPROXIMATE_SOLUTION ||
+                              status == ob::PlannerStatus::EXACT_SOLUTION;
+        // one that had a turn already may only be unable to go on
+        if (!searched && fresh)
+        {
+            refusedStarts_ = context().query.starts().size();
+            refusedGoals_ = context().query.goals().size();
+        }
+        restart();
+        return found;
+    }
+
+    bool GuestPlannerPart::takePath(Waypoints &path)
+    {
+        if (!pdef_->hasExactSolution())
+            return false;
+        const auto found = std::dynamic_pointer_cast<og::PathGeometric>(pdef_->getSolutionPath());
+        if (!found || found->getStateCount() < 2)
+            return false;
+        path.clear();
+        for (const ob::State *state : found->getStates())
+            path.append(state);
+        const ob::Cost cost = evaluator_.cost(path);
+        if ((taken_ && !evaluator_.objective()->isCostBetterThan(cost, *taken_)) || !holds(path))
+            return false;
+        taken_ = cost;
+        return true;
+    }
+
+    bool GuestPlannerPart::holds(const Waypoints &path)
+    {
+        const Query &query = context().query;
+        const auto &space = evaluator_.spaceInformation()->getStateSpace();
+        bool begins = false;
+        for (std::size_t i = 0; i < query.starts().size(); ++i)
+            begins = begins || space->equalStates(path.front(), query.starts()[i]);
+        if (!begins || !goals_->isSatisfied(path.back()))
+            return false;
+        for (std::size_t i = 0; i < path.size(); ++i)
+        {
+            if (!space->satisfiesBounds(path[i]))
+                return false;
+        }
+        return evaluator_.checkPath(path);
+    }
+}  // namespace ompl_mfa

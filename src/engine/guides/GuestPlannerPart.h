@@ -1,0 +1,64 @@
+#ifndef OMPL_MFA_PLANNER_PLANNER_GUIDE_
+#define OMPL_MFA_PLANNER_PLANNER_GUIDE_
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <ompl/base/Planner.h>
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/goals/GoalStates.h>
+
+#include "path/PathEvaluator.h"
+#include "engine/guides/GuidePart.h"
+
+namespace ompl_mfa
+{
+    /** \brief Any other planner as a guide: it goes on in each turn from where it stopped, on a problem definition of
+       its own with the query's starts, goals and objective. One that returns before its turn is over has done what it
+       can do, as planners do that end with their first path: it is cleared and restarts. Until it has
+       a path its turns become longer, for planners that cannot go on where they stopped.
+
+        Its work is counted in state checks, for which it gets a space information of its own that counts and otherwise
+        asks the evaluator's, and in looks at its termination condition. */
+    class GuestPlannerPart : public GuidePart
+    {
+    public:
+        /** \brief Throws ompl::Exception if \e allocator returns no planner. */
+        GuestPlannerPart(const SearchContext &context, const ompl::base::PlannerAllocator &allocator);
+
+        Share firstShare() const override;
+        Share improvementShare(double seconds) const override;
+
+        /** \brief Idle once the planner refused the query as it is. */
+        Readiness readiness() const override;
+
+        /** \brief A path that does not hold, to the evaluator or as an answer to the query, is passed over. */
+        bool search(double bound, std::uint64_t work, Waypoints &path) override;
+
+    private:
+        void addEnds();
+        ompl::base::PlannerStatus run(std::uint64_t work);
+        void restart();
+        bool takePath(Waypoints &path);
+        bool holds(const Waypoints &path);
+
+        PathEvaluator &evaluator_;
+        std::shared_ptr<std::atomic<std::uint64_t>> checked_;  ///< states that the planner had checked in this turn
+        std::mutex stopMutex_;  ///< held while a thread of the planner asks whether to stop
+        ompl::base::SpaceInformationPtr si_;
+        std::shared_ptr<ompl::base::GoalStates> goals_;
+        ompl::base::ProblemDefinitionPtr pdef_;
+        ompl::base::PlannerPtr planner_;
+        bool fresh_{true};                       ///< whether it has had no turn since it began
+        bool returnedEarly_{false};              ///< from the last turn
+        std::uint64_t fruitless_{0};             ///< work since its last path
+        std::optional<ompl::base::Cost> taken_;  ///< cost of the best path that was taken since it was last cleared
+        std::size_t refusedStarts_{0};           ///< how many states there were when it refused the query
+        std::size_t refusedGoals_{0};
+    };
+}  // namespace ompl_mfa
+
+#endif

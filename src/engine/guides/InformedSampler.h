@@ -1,0 +1,81 @@
+#ifndef OMPL_MFA_PLANNER_INFORMED_SAMPLER_
+#define OMPL_MFA_PLANNER_INFORMED_SAMPLER_
+
+#include <cstdint>
+#include <vector>
+
+#include <ompl/base/StateSampler.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "path/CostBounds.h"
+#include "path/StateChart.h"
+#include "path/Waypoints.h"
+#include "engine/guides/HyperspheroidCache.h"
+#include "engine/PairBounds.h"
+
+namespace ompl_mfa
+{
+    /** \brief Draws states through which a path better than a given cost can lead, as far as the bounds tell (the
+        informed set).
+
+        With several starts and goals each sample is drawn for a pair of them, at random among those that can still be
+        on a better path: all the informed sets have their share, and together they are the informed set.
+
+        Where the objective is path length over the standard metrics, positions are drawn directly from the prolate
+        hyperspheroid of the pair; elsewhere uniform states are rejected by the heuristic. Random numbers come from a
+        generator of its own, so that the same seed gives the same states.
+
+        Where the user has set a StateSamplerAllocator on the space, or on a subspace of it, every other state is drawn
+        by a sampler that the space allocates, brought back within the bounds, and rejected by the heuristic as any
+        other; whether it is the same for the same seed is up to that sampler. */
+    class InformedSampler
+    {
+    public:
+        /** \brief \e bounds outlives the object. */
+        InformedSampler(StateChartPtr chart, const CostBounds &bounds, std::uint_fast32_t seed);
+
+        /** \brief Draws \e state such that the heuristic cost through it, from one of \e starts to one of \e goals, is
+            better than \e bound (infinite: any state). False if no such state was found in a few tries. States may
+            only be appended to \e starts and \e goals from one call to the next. */
+        bool sample(const Waypoints &starts, const Waypoints &goals, double bound, ompl::base::State *state);
+
+        /** \brief What a path through the state drawn last costs at the least; no number where it was not asked. */
+        double lowerBound() const
+        {
+            return lowerBound_;
+        }
+
+        /** \brief Lower bounds of the starts and goals that the last sample was drawn for. */
+        PairBounds &pairs()
+        {
+            return pairs_;
+        }
+
+    private:
+        void takeUpEnds(const Waypoints &starts, const Waypoints &goals, double bound);
+        bool pickPair(double bound, std::uint32_t &start, std::uint32_t &goal);
+        bool samplePositions(const Waypoints &starts, std::uint32_t start, const Waypoints &goals, std::uint32_t goal,
+                             double bound, ompl::base::State *state);
+        void sampleByUser(ompl::base::State *state);
+
+        StateChartPtr chart_;
+        const CostBounds &bounds_;
+        ompl::RNG rng_;
+        ompl::base::StateSamplerPtr users_;  ///< null where the user has set none
+        bool usersTurn_{false};
+        bool direct_;
+        double lowerBound_;
+        PairBounds pairs_;
+        double bound_;                       ///< with which the ends below were last asked for
+        std::vector<std::uint32_t> starts_;  ///< that can still be on a better path
+        std::vector<std::uint32_t> goals_;
+        std::size_t takenStarts_{0};
+        std::size_t takenGoals_{0};
+        Eigen::VectorXd focus1_;
+        Eigen::VectorXd focus2_;
+        Eigen::VectorXd values_;
+        HyperspheroidCache hyperspheroids_;
+    };
+}  // namespace ompl_mfa
+
+#endif

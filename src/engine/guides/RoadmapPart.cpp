@@ -1,0 +1,292 @@
+#include "engine/guides/RoadmapPart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <ompl/tools/config/SelfConfig.h>
+
+#include "engine/TurnMeter.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* A raw path of the roadmap may be this much worse than the best tightened one and still be worth tightening.
+         */
+        constexpr double SLACK = 1.15;
+        /* Search of the nearest neighbours, in state checks for each of them. */
+        constexpr std::uint64_t NEIGHBOUR_WORK = 4;
+        constexpr std::size_t FIRST_BATCH = 50;
+        /* The roadmap is pruned when one of so many vertices is useless. */
+        constexpr std::size_t USELESS_SHARE = 4;
+        /* The capacity doubles after 2^8 - 1 renewals, is three times as much after 2^16 - 1, ... */
+        constexpr double RENEWAL_DOUBLINGS = 8.0;
+        /* Vertices handled between two evaluations of the stop condition. */
+        constexpr std::size_t VERTICES_BETWEEN_STOPS = 16;
+
+        /* Work and time (s) of the trees before the roadmap begins, where there is no path yet. */
+        constexpr std::uint64_t FIRST_TREES = 14000;
+        constexpr double FIRST_TREES_TIME = 0.01;
+
+        constexpr double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
+    }  // namespace
+
+    RoadmapPart::RoadmapPart(const SearchContext &context, bool afterTrees, std::size_t capacity)
+      : GuidePart(PartKind::Roadmap, context)
+      , afterTrees_(afterTrees)
+      , chart_(context.chart)
+      , evaluator_(context.evaluator())
+      , sampler_(chart_, evaluator_.bounds(), streamSeed(context.seed, Stream::Roadmap))
+      , graph_(evaluator_)
+      , nearest_(ompl::tools::SelfConfig::getDefaultNearestNeighbors<std::size_t>(&context.owner))
+      , firstCapacity_(capacity)
+      , pruned_(std::numeric_limits<double>::infinity())
+      , sample_(chart_->space()->allocState())
+    {
+        nearest_->setDistanceFunction([this](std::size_t a, std::size_t b)
+                                      { return chart_->distance(graph_.state(a), graph_.state(b)); });
+        renew();
+    }
+
+    RoadmapPart::~RoadmapPart()
+    {
+        chart_->space()->freeState(sample_);
+    }
+
+    void RoadmapPart::renew()
+    {
+        graph_.clear();
+        promises_.clear();
+        nearest_->clear();
+        indexed_ = 0;
+        starts_ = goals_ = endEdges_ = 0;
+        batch_ = missing_ = FIRST_BATCH;
+        exhausted_ = found_ = false;
+        pruned_ = std::numeric_limits<double>::infinity();
+    }
+
+    bool RoadmapPart::isFull() const
+    {
+        const double growth = 1.0 + std::log2(1.0 + static_cast<double>(renewals_)) / RENEWAL_DOUBLINGS;
+        return static_cast<double>(graph_.edges() - std::min(endEdges_, graph_.edges())) >=
+               growth * static_cast<double>(firstCapacity_);
+    }
+
+    std::size_t RoadmapPart::add(const ob::State *state, double lowerBound)
+    {
+        const std::size_t vertex = graph_.addVertex(state, true);
+        promises_.push_back({lowerBound, UNKNOWN, UNKNOWN, 0, 0});
+        const auto d = static_cast<double>(chart_->space()->getDimension());
+        const double factor = boost::math::constants::e<double>() * (1.0 + 1.0 / d);
+        const auto k = static_cast<std::size_t>(std::ceil(factor * std::log(static_cast<double>(vertex + 2))));
+        nearest_->nearestK(vertex, k, neighbours_);
+        evaluator_.addDistances(neighbourDistances(*chart_->space(), nearest_->size()));
+        const bool bothWays = chart_->space()->hasSymmetricDistance() && chart_->space()->hasSymmetricInterpolate();
+        for (const std::size_t neighbour : neighbours_)
+        {
+            if (!graph_.addEdge(neighbour, vertex, bothWays) ||
+                (!bothWays && !graph_.addEdge(vertex, neighbour, false)))
+                break;
+        }
+        nearest_->add(vertex);
+        ++indexed_;
+        evaluator_.addWork(NEIGHBOUR_WORK * neighbours_.size());
+        return vertex;
+    }
+
+    bool RoadmapPart::addEnds()
+    {
+        const Query &query = context().query;
+        const std::size_t before = graph_.edges();
+        for (; starts_ < query.starts().size() && !evaluator_.stopped(); ++starts_)
+            graph_.setStart(add(query.starts()[starts_], UNKNOWN));
+        for (; goals_ < query.goals().size() && !evaluator_.stopped(); ++goals_)
+            graph_.setGoal(add(query.goals()[goals_], UNKNOWN));
+        endEdges_ += graph_.edges() - before;
+        return starts_ == query.starts().size() && goals_ == query.goals().size();
+    }
+
+    void RoadmapPart::addBatch(double bound, std::uint64_t limit)
+    {
+        const Query &query = context().query;
+        while (missing_ > 0 && evaluator_.work() < limit && !evaluator_.stopped())
+        {
+            if (isFull())
+            {
+                missing_ = 0;
+                return;
+            }
+            evaluator_.addWork(1);
+            if (!sampler_.sample(query.starts(), query.goals(), bound, sample_) || !evaluator_.checkState(sample_))
+                continue;
+            add(sample_, sampler_.lowerBound());
+            --missing_;
+        }
+    }
+
+    /* A path is worth having if it is a better one of the roadmap and not much worse than the best tightened one. */
+    double RoadmapPart::searchBound(double bound) const
+    {
+        const auto &objective = *evaluator_.objective();
+        if (!found_)
+            return evaluator_.withSlack(bound, SLACK);
+        // what beats a path of infinite cost is what beats the worst of all finite ones
+        constexpr double MOST = std::numeric_limits<double>::max();
+        const double extreme = objective.isCostBetterThan(ob::Cost(-MOST), ob::Cost(MOST)) ? MOST : -MOST;
+        const double best = objective.isFinite(ob::Cost(best_)) ? best_ : extreme;
+        const double slack = evaluator_.withSlack(bound, SLACK);
+        return !std::isinf(bound) && objective.isCostBetterThan(ob::Cost(slack), ob::Cost(best)) ? slack : best;
+    }
+
+    /* Whether a path better than the bound may lead through a vertex; all pairs of start and goal are asked only once
+       the one that it was drawn for does not promise so any more. */
+    bool RoadmapPart::isUseful(std::size_t vertex, double bound)
+    {
+        const Query &query = context().query;
+        const CostBounds &bounds = evaluator_.bounds();
+        const ob::OptimizationObjective &objective = *evaluator_.objective();
+        Promise &promise = promises_[vertex];
+        if (!std::isnan(promise.lowerBound) && bounds.canBeat(promise.lowerBound, bound))
+            return true;
+        const auto take = [&objective](double cost, double &best)
+        {
+            if (std::isnan(best) || objective.isCostBetterThan(ob::Cost(cost), ob::Cost(best)))
+                best = cost;
+        };
+        const ob::State *state = graph_.state(vertex);
+        evaluator_.addWork(query.starts().size() + query.goals().size() - promise.starts - promise.goals);
+        for (; promise.starts < query.starts().size(); ++promise.starts)
+            take(bounds.lowerBoundTo(query.starts()[promise.starts], state), promise.to);
+        for (; promise.goals < query.goals().size(); ++promise.goals)
+            take(bounds.lowerBoundFrom(state, query.goals()[promise.goals]), promise.from);
+        promise.lowerBound = bounds.combine(promise.to, promise.from);
+        return bounds.canBeat(promise.lowerBound, bound);
+    }
+
+    /* Removes the vertices that no better path can lead through, if they are many. False if interrupted. */
+    bool RoadmapPart::prune(double bound)
+    {
+        if (std::isinf(bound) || bound == pruned_ || !evaluator_.bounds().admissible())
+            return true;
+        std::vector<bool> kept(graph_.size());
+        std::size_t useless = 0;
+        for (std::size_t v = 0; v < kept.size(); ++v)
+        {
+            if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return false;
+            kept[v] = graph_.isEnd(v) || isUseful(v, bound);
+            useless += kept[v] ? 0 : 1;
+        }
+        pruned_ = bound;
+        if (USELESS_SHARE * useless < kept.size() || useless == 0)
+            return true;
+        if (!graph_.retain(kept))
+        {
+            pruned_ = std::numeric_limits<double>::infinity();
+            return false;
+        }
+        std::size_t size = 0;
+        for (std::size_t v = 0; v < kept.size(); ++v)
+        {
+            if (kept[v])
+                promises_[size++] = promises_[v];
+        }
+        promises_.resize(size);
+        nearest_->clear();
+        indexed_ = 0;
+        return true;
+    }
+
+    /* Puts back what was not removed, before any vertex is added. False if interrupted. */
+    bool RoadmapPart::indexVertices()
+    {
+        for (; indexed_ < graph_.size(); ++indexed_)
+        {
+            if (indexed_ % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                return false;
+            nearest_->add(indexed_);
+            evaluator_.addWork(NEIGHBOUR_WORK);
+        }
+        return true;
+    }
+
+    /* Before another batch: what is useless is removed, or all where there is no room left. False if interrupted. */
+    bool RoadmapPart::makeRoom(double bound)
+    {
+        if (!prune(searchBound(bound)))
+            return false;
+        if (!isFull())
+        {
+            missing_ = batch_;
+            batch_ += batch_ / 4;
+            exhausted_ = false;
+            return true;
+        }
+        renew();
+        ++renewals_;
+        return true;
+    }
+
+    Share RoadmapPart::firstShare() const
+    {
+        return {0.61, 0.61};
+    }
+
+    Share RoadmapPart::improvementShare(double /*seconds*/) const
+    {
+        const double factor = roadmapFactor(*chart_);
+        return {0.20 * factor, 0.32 * factor};
+    }
+
+    Readiness RoadmapPart::readiness() const
+    {
+        if (!context().hasEnds())
+            return Readiness::Idle;
+        // where checks are cheap, their number says little
+        const bool early = afterTrees_ && !context().incumbent.hasFinitePath() &&
+                           (evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME);
+        return early ? Readiness::Waiting : Readiness::Ready;
+    }
+
+    bool RoadmapPart::search(double bound, std::uint64_t work, Waypoints &path)
+    {
+        if (!context().hasEnds())
+            return false;
+        const std::uint64_t limit = evaluator_.work() + work;
+        while (evaluator_.work() < limit && !evaluator_.stopped())
+        {
+            if ((exhausted_ && !makeRoom(bound)) || !indexVertices() || !addEnds())
+                return false;
+            addBatch(bound, limit);
+            if (missing_ > 0)
+                return false;
+            if (graph_.search(searchBound(bound), limit > evaluator_.work() ? limit - evaluator_.work() : 0, path))
+            {
+                best_ = graph_.cost();
+                found_ = true;
+                return true;
+            }
+            exhausted_ = graph_.exhausted();
+        }
+        return false;
+    }
+
+    void RoadmapPart::explain(SearchGraph &graph) const
+    {
+        const std::size_t first = graph.states.size();
+        for (std::size_t v = 0; v < graph_.size(); ++v)
+            graph.states.append(graph_.state(v));
+        for (const auto &[from, to] : graph_.validEdges())
+            graph.edges.emplace_back(first + from, first + to);
+        for (const std::size_t start : graph_.starts())
+            graph.starts.push_back(first + start);
+        for (const std::size_t goal : graph_.goals())
+            graph.goals.push_back(first + goal);
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,239 @@
+#include "engine/guides/TreePart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <ompl/tools/config/SelfConfig.h>
+
+#include "engine/TurnMeter.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Longest motion of a tree, in parts of the space's extent; OMPL's own default. */
+        constexpr double RANGE = 0.2;
+        /* The trees begin to improve a path after this many times the time that it took. */
+        constexpr double DELAY = 6.7;
+        /* Search of a nearest neighbour, in state checks. */
+        constexpr std::uint64_t NEIGHBOUR_WORK = 8;
+    }  // namespace
+
+    TreePart::TreePart(const SearchContext &context)
+      : GuidePart(PartKind::Trees, context)
+      , chart_(context.chart)
+      , evaluator_(context.evaluator())
+      , sampler_(chart_, evaluator_.bounds(), streamSeed(context.seed, Stream::Trees))
+      , range_(RANGE * chart_->space()->getMaximumExtent())
+      , sample_(chart_->space()->allocState())
+      , step_(chart_->space()->allocState())
+      , probe_{nullptr, nullptr, 0}
+    {
+        for (Tree *tree : {&startTree_, &goalTree_})
+            tree->nearest.reset(ompl::tools::SelfConfig::getDefaultNearestNeighbors<Vertex *>(&context.owner));
+        // distances are taken along the motions of each tree, away from the start or toward the goal
+        startTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
+                                                { return chart_->distance(a->state, b->state); });
+        goalTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
+                                               { return chart_->distance(b->state, a->state); });
+    }
+
+    TreePart::~TreePart()
+    {
+        freeVertices(startTree_);
+        freeVertices(goalTree_);
+        chart_->space()->freeState(sample_);
+        chart_->space()->freeState(step_);
+    }
+
+    void TreePart::freeVertices(Tree &tree)
+    {
+        tree.nearest->clear();
+        for (const auto &vertex : tree.vertices)
+            chart_->space()->freeState(vertex->state);
+        tree.vertices.clear();
+        tree.offered = 0;
+    }
+
+    void TreePart::restart()
+    {
+        freeVertices(startTree_);
+        freeVertices(goalTree_);
+        metFromStart_ = metFromGoal_ = nullptr;
+        startsTurn_ = true;
+    }
+
+    TreePart::Vertex *TreePart::addVertex(Tree &tree, const ob::State *state, const Vertex *parent)
+    {
+        tree.vertices.push_back(
+            std::make_unique<Vertex>(Vertex{chart_->space()->cloneState(state), parent, tree.vertices.size()}));
+        tree.nearest->add(tree.vertices.back().get());
+        return tree.vertices.back().get();
+    }
+
+    void TreePart::addRoots(double bound)
+    {
+        const Query &query = context().query;
+        PairBounds &pairs = sampler_.pairs();
+        if (!std::isinf(bound))
+            pairs.update(query.starts(), query.goals());
+        for (; startTree_.offered < query.starts().size(); ++startTree_.offered)
+        {
+            if (pairs.startCanBeat(startTree_.offered, bound))
+                addVertex(startTree_, query.starts()[startTree_.offered], nullptr);
+        }
+        for (; goalTree_.offered < query.goals().size(); ++goalTree_.offered)
+        {
+            if (pairs.goalCanBeat(goalTree_.offered, bound))
+                addVertex(goalTree_, query.goals()[goalTree_.offered], nullptr);
+        }
+    }
+
+    TreePart::Vertex *TreePart::nearest(Tree &tree, const ob::State *state, bool fromStart)
+    {
+        evaluator_.addWork(NEIGHBOUR_WORK);
+        if (chart_->space()->hasSymmetricDistance())
+        {
+            probe_.state = const_cast<ob::State *>(state);  // the probe is only read
+            evaluator_.addDistances(neighbourDistances(*chart_->space(), tree.vertices.size()));
+            return tree.nearest->nearest(&probe_);
+        }
+        // nearest-neighbour structures take distances to be symmetric
+        const auto distance = [&](const std::unique_ptr<Vertex> &vertex)
+        { return fromStart ? chart_->distance(vertex->state, state) : chart_->distance(state, vertex->state); };
+        evaluator_.addWork(tree.vertices.size());
+        evaluator_.addDistances(tree.vertices.size());
+        std::size_t best = 0;
+        double bestDistance = distance(tree.vertices[0]);
+        for (std::size_t i = 1; i < tree.vertices.size(); ++i)
+        {
+            const double d = distance(tree.vertices[i]);
+            if (d < bestDistance)
+            {
+                bestDistance = d;
+                best = i;
+            }
+        }
+        return tree.vertices[best].get();
+    }
+
+    TreePart::Extension TreePart::extend(Tree &tree, bool fromStart, const ob::State *target, Vertex *&added)
+    {
+        const auto &space = chart_->space();
+        Vertex *near = nearest(tree, target, fromStart);
+        const ob::State *from = fromStart ? near->state : target;
+        const ob::State *to = fromStart ? target : near->state;
+        const double distance = chart_->distance(from, to);
+        const bool reach = distance <= range_;
+        if (reach)
+            space->copyState(step_, target);
+        else
+        {
+            chart_->interpolate(from, to, fromStart ? range_ / distance : 1.0 - range_ / distance, step_);
+            space->enforceBounds(step_);
+        }
+        const bool valid = fromStart ? evaluator_.checkMotion(near->state, step_)
+                                     : evaluator_.checkState(step_) && evaluator_.checkMotion(step_, near->state);
+        if (!valid)
+            return Extension::Trapped;
+        added = addVertex(tree, step_, near);
+        return reach ? Extension::Reached : Extension::Advanced;
+    }
+
+    void TreePart::join(const Vertex *fromStart, const Vertex *fromGoal, Waypoints &path) const
+    {
+        path.clear();
+        for (; fromStart != nullptr; fromStart = fromStart->parent)
+            path.append(fromStart->state);
+        path.reverse();
+        // both trees hold the state at which they met
+        for (fromGoal = fromGoal->parent; fromGoal != nullptr; fromGoal = fromGoal->parent)
+            path.append(fromGoal->state);
+    }
+
+    bool TreePart::iterate(double bound, Waypoints &path)
+    {
+        const Query &query = context().query;
+        const bool fromStart = startsTurn_;
+        startsTurn_ = !startsTurn_;
+        evaluator_.addWork(1);
+        if (startTree_.vertices.empty() || goalTree_.vertices.empty() ||
+            !sampler_.sample(query.starts(), query.goals(), bound, sample_))
+            return false;
+        Tree &tree = fromStart ? startTree_ : goalTree_;
+        Tree &other = fromStart ? goalTree_ : startTree_;
+        Vertex *added = nullptr;
+        if (extend(tree, fromStart, sample_, added) == Extension::Trapped)
+            return false;
+        Vertex *met = nullptr;
+        Extension extension = Extension::Advanced;
+        while (extension == Extension::Advanced && !evaluator_.interrupted())
+            extension = extend(other, !fromStart, added->state, met);
+        if (extension != Extension::Reached)
+            return false;
+        metFromStart_ = fromStart ? added : met;
+        metFromGoal_ = fromStart ? met : added;
+        join(metFromStart_, metFromGoal_, path);
+        return path.size() >= 2;
+    }
+
+    Share TreePart::firstShare() const
+    {
+        return {0.30, 0.30};
+    }
+
+    Share TreePart::improvementShare(double seconds) const
+    {
+        return {0.15, 0.08 + 0.10 * (1.0 - roadmapFactor(*chart_)), DELAY * seconds};
+    }
+
+    Readiness TreePart::readiness() const
+    {
+        return context().hasEnds() ? Readiness::Ready : Readiness::Idle;
+    }
+
+    bool TreePart::search(double bound, std::uint64_t work, Waypoints &path)
+    {
+        if (!context().hasEnds())
+            return false;
+        // only now: until then the trees show what found the path
+        if (metFromStart_ != nullptr)
+            restart();
+        addRoots(bound);
+        const std::uint64_t limit = evaluator_.work() + work;
+        while (evaluator_.work() < limit && !evaluator_.stopped())
+        {
+            if (iterate(bound, path))
+                return true;
+        }
+        return false;
+    }
+
+    void TreePart::explain(SearchGraph &graph) const
+    {
+        const auto add = [&graph](const Tree &tree, bool fromStart)
+        {
+            const std::size_t first = graph.states.size();
+            for (const auto &vertex : tree.vertices)
+            {
+                const std::size_t here = first + vertex->number;
+                graph.states.append(vertex->state);
+                if (vertex->parent == nullptr)
+                    (fromStart ? graph.starts : graph.goals).push_back(here);
+                else if (fromStart)
+                    graph.edges.emplace_back(first + vertex->parent->number, here);
+                else
+                    graph.edges.emplace_back(here, first + vertex->parent->number);
+            }
+            return first;
+        };
+        const std::size_t firstOfStart = add(startTree_, true);
+        const std::size_t firstOfGoal = add(goalTree_, false);
+        // both trees have the state at which they met; the motion on from there joins them
+        if (metFromStart_ != nullptr && metFromGoal_->parent != nullptr)
+            graph.edges.emplace_back(firstOfStart + metFromStart_->number, firstOfGoal + metFromGoal_->parent->number);
+    }
+}  // namespace ompl_mfa

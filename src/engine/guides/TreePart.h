@@ -1,0 +1,86 @@
+#ifndef OMPL_MFA_PLANNER_TREE_GUIDE_
+#define OMPL_MFA_PLANNER_TREE_GUIDE_
+
+#include <memory>
+#include <vector>
+
+#include <ompl/base/Planner.h>
+#include <ompl/datastructures/NearestNeighbors.h>
+
+#include "path/PathEvaluator.h"
+#include "path/StateChart.h"
+#include "engine/guides/GuidePart.h"
+#include "engine/guides/InformedSampler.h"
+
+namespace ompl_mfa
+{
+    /** \brief Two trees, from the starts and from the goals, that grow toward each other (RRT-Connect); once they met,
+        they restart within the informed set, so that other homotopy classes get their chance. Starts and goals that
+        cannot be on a better path are no roots then.
+
+        J. J. Kuffner and S. M. LaValle, RRT-Connect: An efficient approach to single-query path planning, ICRA 2000.
+        It is not a call of OMPL's planner because it has to draw its states from the seed of the run, to stop between
+        two motion checks, and to count its work. */
+    class TreePart : public GuidePart
+    {
+    public:
+        explicit TreePart(const SearchContext &context);
+        ~TreePart() override;
+        TreePart(const TreePart &) = delete;
+        TreePart &operator=(const TreePart &) = delete;
+
+        Share firstShare() const override;
+        Share improvementShare(double seconds) const override;
+        Readiness readiness() const override;
+        bool search(double bound, std::uint64_t work, Waypoints &path) override;
+
+        /** \brief Both trees; once they have met, until the next turn, with the motion that joins them. */
+        void explain(SearchGraph &graph) const override;
+
+    private:
+        struct Vertex
+        {
+            ompl::base::State *state;
+            const Vertex *parent;
+            std::size_t number;  ///< in its tree
+        };
+
+        struct Tree
+        {
+            std::shared_ptr<ompl::NearestNeighbors<Vertex *>> nearest;
+            std::vector<std::unique_ptr<Vertex>> vertices;
+            std::size_t offered{0};  ///< how many of the query's states it was given to choose its roots from
+        };
+
+        enum class Extension
+        {
+            Trapped,
+            Advanced,
+            Reached
+        };
+
+        void restart();
+        void freeVertices(Tree &tree);
+        Vertex *addVertex(Tree &tree, const ompl::base::State *state, const Vertex *parent);
+        void addRoots(double bound);
+        Vertex *nearest(Tree &tree, const ompl::base::State *state, bool fromStart);
+        Extension extend(Tree &tree, bool fromStart, const ompl::base::State *target, Vertex *&added);
+        bool iterate(double bound, Waypoints &path);
+        void join(const Vertex *fromStart, const Vertex *fromGoal, Waypoints &path) const;
+
+        StateChartPtr chart_;
+        PathEvaluator &evaluator_;
+        InformedSampler sampler_;
+        Tree startTree_;
+        Tree goalTree_;
+        const Vertex *metFromStart_{nullptr};  ///< where the trees have met, the same state in both
+        const Vertex *metFromGoal_{nullptr};
+        bool startsTurn_{true};
+        double range_;
+        ompl::base::State *sample_;
+        ompl::base::State *step_;
+        Vertex probe_;
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,144 @@
+#ifndef OMPL_MFA_PATH_PATH_TIGHTENING_
+#define OMPL_MFA_PATH_PATH_TIGHTENING_
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <ompl/util/RandomNumbers.h>
+
+#include "path/PathEvaluator.h"
+#include "path/StateChart.h"
+#include "engine/refinement/VertexSearch.h"
+#include "path/Waypoints.h"
+
+namespace ompl_mfa
+{
+    /** \brief Local refinement of a valid path, for any objective: shortcuts, removal of vertices, pulling a vertex
+       toward the chord of its neighbours, random steps of a vertex, cutting of corners.
+
+        Each step replaces a few consecutive motions by others of better combined cost; cost is asked first, validity
+        only for what would win. A motion of infinite cost is bent, until the path's cost is finite. Every motion of the
+       resulting path was checked as it stands there. Steps of vertices adapt their size to what succeeds. */
+    class PathTightening
+    {
+    public:
+        /** \brief \e evaluator outlives the object. */
+        PathTightening(StateChartPtr chart, PathEvaluator &evaluator, std::uint_fast32_t seed);
+        ~PathTightening();
+        PathTightening(const PathTightening &) = delete;
+        PathTightening &operator=(const PathTightening &) = delete;
+
+        /** \brief Takes up a copy of \e path, whose motions are all valid. */
+        void begin(const Waypoints &path);
+
+        /** \brief Refines for about \e work units of PathEvaluator::work(), or until interrupted, or until there is
+            nothing to refine: one motion of finite cost. Returns whether the path's cost is better than before. */
+        bool advance(std::uint64_t work);
+
+        const Waypoints &path() const
+        {
+            return path_;
+        }
+
+        /** \brief The cost of path(); infinite while advance() has not come to compute it. Costs no motion anew. */
+        ompl::base::Cost cost() const;
+
+        /** \brief Whether the last rounds gained next to nothing. More of them still may, but rarely. */
+        bool converged() const
+        {
+            return converged_;
+        }
+
+    private:
+        /* How the next steps of a vertex are made. */
+        struct Step
+        {
+            explicit Step(VertexSearch randomSteps)
+              : search(std::move(randomSteps))
+            {
+            }
+
+            VertexSearch search;
+            double pull{0.5};          ///< part of the way to the chord
+            double partPull{1.0};      ///< the same when only some coordinates move
+            unsigned int caution{0};   ///< moves that have yet to keep a margin
+            bool partWorked{false};    ///< whether mask and normal led to a better path last time
+            Eigen::VectorXd mask{};    ///< 1 for each coordinate that moves
+            Eigen::VectorXd normal{};  ///< direction that is left out, or zero
+        };
+
+        /* The kinds of steps; also their numbers in payoffs_. */
+        enum StepKind : std::size_t
+        {
+            SHORTCUT,
+            PULL,
+            PULL_PART,
+            PERTURB,
+            STEP_KINDS
+        };
+
+        struct Payoff
+        {
+            double gain{0.0};
+            double work{0.0};
+
+            double rate() const
+            {
+                return work > 0.0 ? gain / work : 0.0;
+            }
+        };
+
+        Step firstStep(std::size_t i) const;
+        void round();
+        StepKind chooseStep();
+        bool makeStep(StepKind kind, std::size_t i);
+        static double gain(double before, double after);
+        std::size_t infiniteMotions() const;
+        bool canImprove() const;
+        void bendInfiniteMotions();
+        bool bend(std::size_t i);
+        bool shortcut();
+        bool checkShortcut(const ompl::base::State *before, const ompl::base::State *after);
+        void removeVertices();
+        bool remove(std::size_t i);
+        bool pull(std::size_t i);
+        void selectPart(Step &step);
+        bool pullPart(std::size_t i);
+        bool perturb(std::size_t i);
+        bool refineWorstCorner();
+        bool cutCorner(std::size_t i);
+        bool completeCosts();
+        ompl::base::Cost cornerCost(std::size_t i) const;
+        bool improves(std::size_t i, const ompl::base::State *state, ompl::base::Cost &before, ompl::base::Cost &after);
+        bool moveVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before, ompl::base::Cost after);
+        bool hasMargin(std::size_t i, const ompl::base::State *state);
+        bool replaceVertex(std::size_t i, const ompl::base::State *state);
+        double smallestStep() const;
+        void insertVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before,
+                          ompl::base::Cost after);
+        void eraseVertices(std::size_t first, std::size_t last, ompl::base::Cost joined);
+
+        StateChartPtr chart_;
+        PathEvaluator &evaluator_;
+        ompl::RNG rng_;
+        Waypoints path_;
+        std::vector<ompl::base::Cost> costs_;  ///< of the motions of path_, as many as were computed yet
+        double total_{0.0};                    ///< cost of path_ in a round
+        std::array<Payoff, STEP_KINDS> payoffs_{};
+        std::vector<Step> steps_;
+        ompl::base::State *a_;
+        ompl::base::State *b_;
+        ompl::base::State *beyond_;
+        Eigen::VectorXd delta_;
+        Eigen::VectorXd beyondDelta_;
+        std::uint64_t workLimit_{0};
+        bool converged_{true};
+        unsigned int idleRounds_{0};
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,87 @@
+#include "engine/refinement/TighteningPart.h"
+
+#include <cmath>
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Rounds of tightening that a new path gets at the most, and the work of each, in parts of the work of checking
+           the path once. */
+        constexpr unsigned int ROUNDS = 8;
+        constexpr std::uint64_t ROUND_FACTOR = 3;
+        /* A new path is given up once so many more rounds like the last would not make it the best. */
+        constexpr double PATIENCE = 4.0;
+    }  // namespace
+
+    TighteningPart::TighteningPart(const SearchContext &context)
+      : SearchPart(PartKind::Tightening, context)
+      , best_(std::make_unique<PathTightening>(context.chart, context.evaluator(),
+                                               streamSeed(context.seed, Stream::Tightening)))
+      , new_(std::make_unique<PathTightening>(context.chart, context.evaluator(),
+                                              streamSeed(context.seed, Stream::NewTightening)))
+    {
+    }
+
+    Share TighteningPart::firstShare() const
+    {
+        return {0.01, 0.01};
+    }
+
+    Share TighteningPart::improvementShare(double /*seconds*/) const
+    {
+        return {0.30, 0.12};
+    }
+
+    /* A single motion can be made no better, except around what makes its cost infinite. */
+    Readiness TighteningPart::readiness() const
+    {
+        const Incumbent &incumbent = context().incumbent;
+        return incumbent.hasPath() && (incumbent.path().size() > 2 || !incumbent.hasFinitePath()) ? Readiness::Ready
+                                                                                                  : Readiness::Idle;
+    }
+
+    void TighteningPart::advance(std::uint64_t work, Findings &findings)
+    {
+        const Incumbent &incumbent = context().incumbent;
+        if (std::exchange(stale_, false))
+            best_->begin(incumbent.path());
+        refined_ = false;
+        if (best_->advance(work))
+            findings.paths.push_back({best_->path(), best_->cost(), Proposal::Stage::Tight, incumbent.origin()});
+    }
+
+    void TighteningPart::improved(const Proposal &proposal)
+    {
+        stale_ = proposal.stage != Proposal::Stage::Tight;
+        if (!stale_ && refined_)
+            std::swap(best_, new_);
+    }
+
+    const Waypoints &TighteningPart::refine(const Waypoints &path, ob::Cost &cost, ob::Cost rival)
+    {
+        PathEvaluator &evaluator = context().evaluator();
+        const ob::OptimizationObjective &objective = context().objective();
+        std::uint64_t check = path.size();
+        for (std::size_t i = 1; i < path.size(); ++i)
+            check += path.space()->validSegmentCount(path[i - 1], path[i]);
+        refined_ = true;
+        new_->begin(path);
+        for (unsigned int k = 0; k < ROUNDS && !new_->converged() && !evaluator.stopped(); ++k)
+        {
+            new_->advance(ROUND_FACTOR * check);
+            const double before = cost.value();
+            cost = new_->cost();
+            if (objective.isCostBetterThan(cost, rival))
+                break;
+            // what a cost that is still infinite promises is unknown
+            const ob::Cost promised(cost.value() - PATIENCE * (before - cost.value()));
+            if (k > 0 && std::isfinite(cost.value()) && !objective.isCostBetterThan(promised, rival))
+                break;
+        }
+        return new_->path();
+    }
+}  // namespace ompl_mfa

@@ -1,0 +1,86 @@
+#ifndef OMPL_MFA_PATH_COST_BOUNDS_
+#define OMPL_MFA_PATH_COST_BOUNDS_
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include "path/DubinsGuard.h"
+
+namespace ompl_mfa
+{
+    /** \brief Lower bounds of costs, used for as long as nothing contradicts them.
+
+        OMPL asks of OptimizationObjective::motionCostHeuristic that no path be better than it says, but an objective
+        need not keep to that: the default is identityCost, which is wrong where motions may earn something, and an
+        objective derived from PathLengthOptimizationObjective inherits its own motionCost as heuristic, which is wrong
+        where a detour costs less than the straight motion. So every cost that is computed is held against the bounds
+        here, and once one is beaten, none is used any more. */
+    class CostBounds
+    {
+    public:
+        CostBounds(const ompl::base::SpaceInformationPtr &si, ompl::base::OptimizationObjectivePtr objective);
+
+        /** \brief Whether the bounds hold by what is known of the objective and the space, so that nothing needs to be
+            observed: path length over one of OMPL's metrics. */
+        bool certain() const
+        {
+            return certain_;
+        }
+
+        /** \brief Whether no path came out better than the heuristic. */
+        bool admissible() const
+        {
+            return admissible_;
+        }
+
+        /** \brief Whether no motion came out better than identityCost, so that a path gets no better by going on. */
+        bool monotone() const
+        {
+            return monotone_;
+        }
+
+        /** \brief Learns from the cost of the motion \e from -> \e to, valid or not. */
+        void observeMotion(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost cost);
+
+        /** \brief Learns from the combined cost of motions that lead \e from -> \e to, valid or not. */
+        void observePath(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost cost);
+
+        /** \brief What a path from \e start to \e goal costs at the least, with initial and terminal cost. */
+        double lowerBound(const ompl::base::State *start, const ompl::base::State *goal) const;
+
+        /** \brief What a path from \e start to \e state costs at the least, with initial cost. */
+        double lowerBoundTo(const ompl::base::State *start, const ompl::base::State *state) const;
+
+        /** \brief What a path from \e state to \e goal costs at the least, with terminal cost. */
+        double lowerBoundFrom(const ompl::base::State *state, const ompl::base::State *goal) const;
+
+        /** \brief The combination of two such bounds. */
+        double combine(double to, double from) const;
+
+        /** \brief Whether a path of a cost that is at the least \e lowerBound can be better than \e bound (infinite:
+            any), a cost of paths with initial and terminal cost. A lower bound that is no number promises anything. */
+        bool canBeat(double lowerBound, double bound) const;
+
+        /** \brief Whether a path from \e start through \e state to \e goal can be better than \e bound (infinite:
+            any). */
+        bool canBeat(const ompl::base::State *start, const ompl::base::State *state, const ompl::base::State *goal,
+                     double bound) const;
+
+        const ompl::base::OptimizationObjectivePtr &objective() const
+        {
+            return objective_;
+        }
+
+    private:
+        double motionBound(const ompl::base::State *from, const ompl::base::State *to) const;
+        bool beats(ompl::base::Cost cost, ompl::base::Cost bound) const;
+
+        ompl::base::OptimizationObjectivePtr objective_;
+        DubinsGuard guard_;
+        bool certain_;
+        bool admissible_{true};
+        bool monotone_{true};
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,60 @@
+#ifndef OMPL_MFA_PATH_PARALLEL_CHECKS_
+#define OMPL_MFA_PATH_PARALLEL_CHECKS_
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <ompl/base/SpaceInformation.h>
+
+#include "path/Motion.h"
+#include "path/Waypoints.h"
+#include "path/WorkerPool.h"
+
+namespace ompl_mfa
+{
+    /** \brief Validity checks by several threads, for checkers and motion validators that may be called from them.
+
+        The answers are those of one thread. Where OMPL's own DiscreteMotionValidator would check a motion, the states
+        of the motion are shared out; any other validator checks motions as a whole, and those that are needed next are
+        checked at once. Threads are woken only for checks that take longer than that. */
+    class ParallelChecks
+    {
+    public:
+        ParallelChecks(ompl::base::SpaceInformationPtr si, unsigned int threads);
+
+        /** \brief Whether the motion is valid; its first state is taken to be. */
+        bool checkMotion(const Motion &motion);
+
+        /** \brief Whether the states that divide the motion into \e count pieces are valid. */
+        bool checkInside(const Motion &motion, unsigned int count);
+
+        /** \brief How many motions checkMotions() may be given to save time. */
+        std::size_t motionsAtOnce() const
+        {
+            return splitsMotions() ? 1 : pool_.threads();
+        }
+
+        /** \brief Checks some of \e count > 0 \e motions, the first at least, and tells whether they are \e valid.
+            Returns how many. */
+        std::size_t checkMotions(const Motion *motions, std::size_t count, unsigned char *valid);
+
+        /** \brief How many of the states at 1/\e count, 2/\e count, ..., 1 of the motion are invalid. */
+        unsigned int countInvalid(const Motion &motion, unsigned int count);
+
+    private:
+        bool splitsMotions() const;
+        bool isValidAt(std::size_t thread, const Motion &motion, unsigned int state, unsigned int count);
+        bool checkStates(const Motion &motion);
+        void bisect(unsigned int count);
+
+        ompl::base::SpaceInformationPtr si_;
+        WorkerPool pool_;
+        Waypoints scratch_;  ///< a state for each thread
+        std::vector<unsigned int> order_;
+        std::vector<std::pair<unsigned int, unsigned int>> intervals_;
+        double motionTime_{0.0};  ///< that the last whole motion took, s
+    };
+}  // namespace ompl_mfa
+
+#endif

@@ -1,0 +1,164 @@
+/* Setters and getters of MFA's parameters, in the order of mfaParameters(). */
+
+#include "planner/MFAImplementation.h"
+#include "planner/MFAParameters.h"
+
+namespace ompl_mfa
+{
+    template <typename T>
+    void MFA::Implementation::set(const MFA &planner, T SearchSettings::*member, const T &value)
+    {
+        for (const auto &any : mfaParameters())
+        {
+            const auto *parameter = std::get_if<MFAParameter<T>>(&any);
+            if (parameter != nullptr && parameter->member == member)
+                require(parameter->accepted, planner.getName() + ": " + parameter->name, value);
+        }
+        settings.*member = value;
+    }
+
+    void MFA::setVariant(const std::string &variant)
+    {
+        implementation_->set(*this, &SearchSettings::variant, variant);
+    }
+
+    std::string MFA::getVariant() const
+    {
+        return implementation_->settings.variant;
+    }
+
+    void MFA::setFireflies(bool fireflies)
+    {
+        implementation_->set(*this, &SearchSettings::fireflies, fireflies);
+    }
+
+    bool MFA::getFireflies() const
+    {
+        return implementation_->settings.fireflies;
+    }
+
+    void MFA::setPopulationSize(unsigned int size)
+    {
+        implementation_->set(*this, &SearchSettings::populationSize, size);
+    }
+
+    unsigned int MFA::getPopulationSize() const
+    {
+        return implementation_->settings.populationSize;
+    }
+
+    void MFA::setSlices(unsigned int slices)
+    {
+        implementation_->set(*this, &SearchSettings::slices, slices);
+    }
+
+    unsigned int MFA::getSlices() const
+    {
+        return implementation_->settings.slices;
+    }
+
+    void MFA::setGenerations(unsigned int generations)
+    {
+        implementation_->set(*this, &SearchSettings::generations, generations);
+    }
+
+    unsigned int MFA::getGenerations() const
+    {
+        return implementation_->settings.generations;
+    }
+
+    void MFA::setGamma(double gamma)
+    {
+        implementation_->set(*this, &SearchSettings::gamma, gamma);
+    }
+
+    double MFA::getGamma() const
+    {
+        return implementation_->settings.gamma;
+    }
+
+    void MFA::setAlpha(double alpha)
+    {
+        implementation_->set(*this, &SearchSettings::alpha, alpha);
+    }
+
+    double MFA::getAlpha() const
+    {
+        return implementation_->settings.alpha;
+    }
+
+    void MFA::setEta(double eta)
+    {
+        implementation_->set(*this, &SearchSettings::eta, eta);
+    }
+
+    double MFA::getEta() const
+    {
+        return implementation_->settings.eta;
+    }
+
+    void MFA::setGuide(const std::string &guide)
+    {
+        implementation_->set(*this, &SearchSettings::guide, guide);
+    }
+
+    std::string MFA::getGuide() const
+    {
+        return implementation_->settings.guide;
+    }
+
+    void MFA::setRecombination(bool recombination)
+    {
+        implementation_->set(*this, &SearchSettings::recombination, recombination);
+    }
+
+    bool MFA::getRecombination() const
+    {
+        return implementation_->settings.recombination;
+    }
+
+    void MFA::setTightening(bool tightening)
+    {
+        implementation_->set(*this, &SearchSettings::tightening, tightening);
+    }
+
+    bool MFA::getTightening() const
+    {
+        return implementation_->settings.tightening;
+    }
+
+    void MFA::setSeed(std::uint32_t seed)
+    {
+        implementation_->set(*this, &SearchSettings::seed, seed);
+    }
+
+    std::uint32_t MFA::getSeed() const
+    {
+        return implementation_->settings.seed;
+    }
+
+    void MFA::setStateCheckTime(double microseconds)
+    {
+        implementation_->set(*this, &SearchSettings::stateCheckTime, microseconds);
+    }
+
+    double MFA::getStateCheckTime() const
+    {
+        return implementation_->settings.stateCheckTime;
+    }
+
+    void MFA::setThreads(unsigned int threads)
+    {
+        implementation_->set(*this, &SearchSettings::threads, threads);
+    }
+
+    unsigned int MFA::getThreads() const
+    {
+        return implementation_->settings.threads;
+    }
+
+    void MFA::setGuidePlanner(const ompl::base::PlannerAllocator &allocator)
+    {
+        implementation_->guidePlanner = allocator;
+    }
+}  // namespace ompl_mfa

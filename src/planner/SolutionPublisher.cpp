@@ -1,0 +1,77 @@
+#include "planner/SolutionPublisher.h"
+
+#include <algorithm>
+
+#include <ompl/geometric/PathGeometric.h>
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace ompl_mfa
+{
+    void SolutionPublisher::begin(const ob::ProblemDefinitionPtr &pdef)
+    {
+        pdef_ = pdef;
+        const auto solutions = pdef->getSolutions();
+        const bool has = std::any_of(solutions.begin(), solutions.end(), [this](const ob::PlannerSolution &solution)
+                                     { return solution.path_ == published_; });
+        if (has)
+            return;
+        published_.reset();
+        schedule_.reset();
+    }
+
+    bool SolutionPublisher::isPublished(const SearchContext &context) const
+    {
+        return published_ && improvement_ == context.incumbent.improvements();
+    }
+
+    void SolutionPublisher::publishIfDue(const SearchContext &context, const ob::Planner &planner, SearchLock &lock)
+    {
+        if (context.incumbent.hasPath() && !isPublished(context) &&
+            schedule_.due(context.incumbent.cost(), context.evaluator().work()))
+            publish(context, planner, lock);
+    }
+
+    void SolutionPublisher::publish(const SearchContext &context, const ob::Planner &planner, SearchLock &lock)
+    {
+        const Incumbent &incumbent = context.incumbent;
+        const ob::Cost cost(incumbent.cost());
+        auto path = std::make_shared<og::PathGeometric>(context.spaceInformation());
+        incumbent.path().appendTo(*path);
+        ob::PlannerSolution solution(path);
+        solution.setPlannerName(planner.getName());
+        solution.setOptimized(context.evaluator().objective(), cost, context.objective().isSatisfied(cost));
+        pdef_->addSolutionPath(solution);
+        schedule_.published(cost.value(), context.evaluator().work());
+        published_ = path;
+        improvement_ = incumbent.improvements();
+        const auto callback = pdef_->getIntermediateSolutionCallback();
+        if (!callback)
+            return;
+        // the callback may wait for a thread that asks for planner data
+        const SearchLock::Release release(lock);
+        callback(&planner, incumbent.path().pointers(), cost);
+    }
+
+    ob::PlannerStatus SolutionPublisher::finish(const SearchContext &context, const ob::Planner &planner,
+                                                SearchLock &lock)
+    {
+        const Incumbent &incumbent = context.incumbent;
+        if (incumbent.hasPath())
+        {
+            if (!isPublished(context))
+                publish(context, planner, lock);
+            return ob::PlannerStatus::EXACT_SOLUTION;
+        }
+        if (incumbent.partialPath().size() < 2)
+            return ob::PlannerStatus::TIMEOUT;
+        auto path = std::make_shared<og::PathGeometric>(context.spaceInformation());
+        incumbent.partialPath().appendTo(*path);
+        ob::PlannerSolution solution(path);
+        solution.setPlannerName(planner.getName());
+        solution.setApproximate(incumbent.partialDistance());
+        pdef_->addSolutionPath(solution);
+        return ob::PlannerStatus::APPROXIMATE_SOLUTION;
+    }
+}  // namespace ompl_mfa
