@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_GOAL_DISTANCE_
-#define OMPL_MFA_PLANNER_GOAL_DISTANCE_
+#ifndef OMPL_MFA_ENGINE_GOAL_DISTANCE_
+#define OMPL_MFA_ENGINE_GOAL_DISTANCE_
 
 #include <ompl/base/Goal.h>
 #include <ompl/base/State.h>

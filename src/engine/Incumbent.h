@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_INCUMBENT_
-#define OMPL_MFA_PLANNER_INCUMBENT_
+#ifndef OMPL_MFA_ENGINE_INCUMBENT_
+#define OMPL_MFA_ENGINE_INCUMBENT_
 
 #include <atomic>
 #include <cstdint>

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_PAIR_BOUNDS_
-#define OMPL_MFA_PLANNER_PAIR_BOUNDS_
+#ifndef OMPL_MFA_ENGINE_PAIR_BOUNDS_
+#define OMPL_MFA_ENGINE_PAIR_BOUNDS_
 
 #include <cstddef>
 #include <limits>

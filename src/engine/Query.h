@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_QUERY_
-#define OMPL_MFA_PLANNER_QUERY_
+#ifndef OMPL_MFA_ENGINE_QUERY_
+#define OMPL_MFA_ENGINE_QUERY_
 
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_SEARCH_GRAPH_
-#define OMPL_MFA_PLANNER_SEARCH_GRAPH_
+#ifndef OMPL_MFA_ENGINE_SEARCH_GRAPH_
+#define OMPL_MFA_ENGINE_SEARCH_GRAPH_
 
 #include <cstddef>
 #include <utility>

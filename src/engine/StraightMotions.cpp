@@ -23,11 +23,13 @@ namespace ompl_mfa
     void StraightMotions::advance(Findings &findings)
     {
         PathEvaluator &evaluator = context_.evaluator();
-        while (!evaluator.stopped())
+        while (const auto pair = pairs_.next(context_.query))
         {
-            const auto pair = pairs_.next(context_.query);
-            if (!pair)
-                break;
+            if (evaluator.stopped())
+            {
+                pairs_.putBack();
+                return;
+            }
             Waypoints straight = path(context_.query.starts()[pair->first], context_.query.goals()[pair->second]);
             const ob::Cost cost = evaluator.cost(straight);
             const bool valid = evaluator.checkPath(straight);

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_STREAMS_
-#define OMPL_MFA_PLANNER_STREAMS_
+#ifndef OMPL_MFA_ENGINE_STREAMS_
+#define OMPL_MFA_ENGINE_STREAMS_
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_TURN_METER_
-#define OMPL_MFA_PLANNER_TURN_METER_
+#ifndef OMPL_MFA_ENGINE_TURN_METER_
+#define OMPL_MFA_ENGINE_TURN_METER_
 
 #include <chrono>
 #include <cstdint>

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_TURN_SHARING_
-#define OMPL_MFA_PLANNER_TURN_SHARING_
+#ifndef OMPL_MFA_ENGINE_TURN_SHARING_
+#define OMPL_MFA_ENGINE_TURN_SHARING_
 
 #include <cstddef>
 #include <optional>

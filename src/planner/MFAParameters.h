@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_MFASETTINGS_
-#define OMPL_MFA_PLANNER_MFASETTINGS_
+#ifndef OMPL_MFA_PLANNER_MFAPARAMETERS_
+#define OMPL_MFA_PLANNER_MFAPARAMETERS_
 
 #include <string>
 #include <variant>

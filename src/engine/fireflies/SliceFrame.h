@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PATH_SLICE_FRAME_
-#define OMPL_MFA_PATH_SLICE_FRAME_
+#ifndef OMPL_MFA_ENGINE_FIREFLIES_SLICE_FRAME_
+#define OMPL_MFA_ENGINE_FIREFLIES_SLICE_FRAME_
 
 #include <cstddef>
 #include <limits>

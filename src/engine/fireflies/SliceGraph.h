@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PATH_SLICE_GRAPH_
-#define OMPL_MFA_PATH_SLICE_GRAPH_
+#ifndef OMPL_MFA_ENGINE_FIREFLIES_SLICE_GRAPH_
+#define OMPL_MFA_ENGINE_FIREFLIES_SLICE_GRAPH_
 
 #include <cstdint>
 #include <vector>

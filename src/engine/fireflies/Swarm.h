@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_SWARM_
-#define OMPL_MFA_PLANNER_SWARM_
+#ifndef OMPL_MFA_ENGINE_FIREFLIES_SWARM_
+#define OMPL_MFA_ENGINE_FIREFLIES_SWARM_
 
 #include <cstdint>
 #include <memory>

@@ -69,11 +69,13 @@ namespace ompl_mfa
     /* Swarms on straight axes are made when the first of them is to fly: as a rule a guide has found a path before. */
     void Swarms::layStraight()
     {
-        while (laid_ < MAX_SWARMS && !context_.evaluator().stopped())
+        while (laid_ < MAX_SWARMS)
         {
             const auto pair = pairs_.next(context_.query);
             if (!pair)
                 return;
+            if (context_.evaluator().stopped())
+                return pairs_.putBack();
             SliceFrame frame =
                 SliceFrame::straight(context_.chart, context_.query.starts()[pair->first],
                                      context_.query.goals()[pair->second], context_.settings.slices + 1);

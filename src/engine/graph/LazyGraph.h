@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PATH_LAZY_GRAPH_
-#define OMPL_MFA_PATH_LAZY_GRAPH_
+#ifndef OMPL_MFA_ENGINE_GRAPH_LAZY_GRAPH_
+#define OMPL_MFA_ENGINE_GRAPH_LAZY_GRAPH_
 
 #include <cstdint>
 #include <deque>

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_PLANNER_TREE_GUIDE_
-#define OMPL_MFA_PLANNER_TREE_GUIDE_
+#ifndef OMPL_MFA_ENGINE_GUIDES_TREE_PART_
+#define OMPL_MFA_ENGINE_GUIDES_TREE_PART_
 
 #include <memory>
 #include <vector>
