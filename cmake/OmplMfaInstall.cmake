@@ -1,7 +1,16 @@
 include(CMakePackageConfigHelpers)
 set(OMPL_MFA_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ompl_mfa)
 
-install(DIRECTORY include/ompl_mfa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+# The headers of the libraries that are built, a folder each.
+set(OMPL_MFA_HEADERS include/ompl_mfa/optimizer include/ompl_mfa/planner)
+foreach(room pagmo collision benchmark)
+    if(TARGET ompl_mfa_${room})
+        list(APPEND OMPL_MFA_HEADERS include/ompl_mfa/${room})
+    endif()
+endforeach()
+install(DIRECTORY ${OMPL_MFA_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ompl_mfa FILES_MATCHING PATTERN "*.h")
+file(GLOB OMPL_MFA_COMMON_HEADERS include/ompl_mfa/*.h)
+install(FILES ${OMPL_MFA_COMMON_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ompl_mfa)
 install(EXPORT ompl_mfaTargets NAMESPACE ompl_mfa:: DESTINATION ${OMPL_MFA_CMAKE_DIR})
 configure_package_config_file(cmake/ompl_mfaConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/ompl_mfaConfig.cmake
                               INSTALL_DESTINATION ${OMPL_MFA_CMAKE_DIR})

@@ -8,8 +8,8 @@
 
 #include <sys/prctl.h>
 
-#include "ompl_mfa/NumberText.h"
-#include "ompl_mfa/OmplCompatibility.h"
+#include "text/NumberText.h"
+#include "OmplCompatibility.h"
 
 namespace ob = ompl::base;
 

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/OmplCompatibility.h"
+#include "OmplCompatibility.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 
 namespace ompl_mfa::anytime

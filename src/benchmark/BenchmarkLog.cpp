@@ -12,7 +12,7 @@
 #include <set>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa
 {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
 namespace ompl_mfa

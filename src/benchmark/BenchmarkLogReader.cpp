@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
 namespace ompl_mfa

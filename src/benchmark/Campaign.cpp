@@ -15,9 +15,9 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
-#include "ompl_mfa/benchmark/CampaignProgress.h"
-#include "ompl_mfa/benchmark/FileNames.h"
+#include "text/NumberText.h"
+#include "benchmark/CampaignProgress.h"
+#include "benchmark/FileNames.h"
 
 namespace ob = ompl::base;
 

@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/CampaignProgress.h"
+#include "benchmark/CampaignProgress.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
-#include "ompl_mfa/benchmark/FileNames.h"
+#include "benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 

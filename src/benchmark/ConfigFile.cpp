@@ -10,9 +10,9 @@
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
-#include "ompl_mfa/benchmark/FileNames.h"
+#include "benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
-#include "ompl_mfa/collision/ResourceFolders.h"
+#include "collision/ResourceFolders.h"
 
 namespace ompl_mfa
 {

@@ -9,7 +9,7 @@
 #include <boost/locale/encoding_utf.hpp>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"
 
 namespace ompl_mfa

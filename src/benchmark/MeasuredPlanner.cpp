@@ -11,7 +11,7 @@
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/String.h>
 
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/RunRecord.h"
 
 namespace ob = ompl::base;

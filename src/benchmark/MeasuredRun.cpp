@@ -12,7 +12,7 @@
 #include <ompl/util/RandomNumbers.h>
 #include <ompl/util/String.h>
 
-#include "ompl_mfa/benchmark/PathMetrics.h"
+#include "benchmark/PathMetrics.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 
 namespace ob = ompl::base;

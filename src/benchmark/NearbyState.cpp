@@ -1,12 +1,12 @@
-#include "ompl_mfa/benchmark/NearbyState.h"
+#include "benchmark/NearbyState.h"
 
 #include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "ompl_mfa/NumberText.h"
-#include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "text/NumberText.h"
+#include "benchmark/ProblemSpace.h"
 
 namespace ompl_mfa
 {

@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/ObjectiveFactory.h"
+#include "benchmark/ObjectiveFactory.h"
 
 #include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
 #include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/PathMetrics.h"
+#include "benchmark/PathMetrics.h"
 
 #include <algorithm>
 #include <cmath>

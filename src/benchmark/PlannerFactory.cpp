@@ -12,9 +12,9 @@
 #include <ompl/util/Console.h>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"
-#include "ompl_mfa/benchmark/PlannerTable.h"
+#include "benchmark/PlannerTable.h"
 #include "planner/RangedParam.h"
 
 namespace ompl_mfa

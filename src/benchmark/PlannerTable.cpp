@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/PlannerTable.h"
+#include "benchmark/PlannerTable.h"
 
 #include <vector>
 
@@ -43,8 +43,8 @@
 #include <ompl/geometric/planners/sst/SST.h>
 #include <ompl/geometric/planners/stride/STRIDE.h>
 
-#include "ompl_mfa/OmplCompatibility.h"
-#include "ompl_mfa/benchmark/PositionTaskSpace.h"
+#include "OmplCompatibility.h"
+#include "benchmark/PositionTaskSpace.h"
 #include "ompl_mfa/planner/MFA.h"
 
 #ifdef OMPL_MFA_HAS_EITSTAR

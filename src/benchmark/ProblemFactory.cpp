@@ -15,11 +15,11 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
-#include "ompl_mfa/benchmark/NearbyState.h"
-#include "ompl_mfa/benchmark/ObjectiveFactory.h"
+#include "text/NumberText.h"
+#include "benchmark/NearbyState.h"
+#include "benchmark/ObjectiveFactory.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
-#include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "benchmark/ProblemSpace.h"
 #include "ompl_mfa/collision/SceneLoader.h"
 
 namespace ompl_mfa

@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "benchmark/ProblemSpace.h"
 
 #include <numeric>
 #include <vector>
@@ -10,7 +10,7 @@
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa
 {

@@ -15,7 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ompl_mfa/CLocaleScope.h"
+#include "text/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
 
 using Json = nlohmann::json;

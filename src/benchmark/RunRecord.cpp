@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ompl_mfa/CLocaleScope.h"
+#include "text/CLocaleScope.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
 
 using Json = nlohmann::json;

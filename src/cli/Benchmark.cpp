@@ -15,9 +15,9 @@
 #include "cli/JsonDocument.h"
 #include "cli/NumberOption.h"
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/Campaign.h"
-#include "ompl_mfa/benchmark/FileNames.h"
+#include "benchmark/FileNames.h"
 
 namespace
 {

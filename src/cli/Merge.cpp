@@ -10,9 +10,9 @@
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
-#include "ompl_mfa/benchmark/FileNames.h"
+#include "benchmark/FileNames.h"
 
 namespace
 {

@@ -1,7 +1,7 @@
 #include "cli/NumberOption.h"
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 
 CLI::Option *ompl_mfa::cli::addNumberOption(CLI::App &command, const std::string &name, double &value,
                                             const std::string &description, const std::string &accepted)

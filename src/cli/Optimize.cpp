@@ -17,8 +17,8 @@
 #include "cli/SvgFigure.h"
 #include "cli/TestFunction.h"
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
-#include "ompl_mfa/benchmark/FileNames.h"
+#include "text/NumberText.h"
+#include "benchmark/FileNames.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 
 using ompl_mfa::FireflyOptimizer;

@@ -8,7 +8,7 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 
 #include "cli/SvgFigure.h"
-#include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "benchmark/ProblemSpace.h"
 #include "ompl_mfa/collision/PlanarOutline.h"
 #include "ompl_mfa/collision/StatePlacement.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 
 namespace
 {

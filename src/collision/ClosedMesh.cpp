@@ -1,4 +1,4 @@
-#include "ompl_mfa/collision/ClosedMesh.h"
+#include "collision/ClosedMesh.h"
 
 #include <array>
 #include <limits>

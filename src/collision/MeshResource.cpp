@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/collision/ResourceFolders.h"
+#include "collision/ResourceFolders.h"
 
 namespace ompl_mfa::collision
 {

@@ -9,7 +9,7 @@
 #include <octomap/octomap.h>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa::collision

@@ -12,10 +12,10 @@
 #include "YamlFile.h"
 #include "YamlShapes.h"
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/collision/OccupancyMap.h"
-#include "ompl_mfa/collision/ResourceFolders.h"
+#include "collision/ResourceFolders.h"
 
 namespace ompl_mfa::collision
 {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "PrimitiveShapes.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa::collision
 {

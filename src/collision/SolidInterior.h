@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ompl_mfa/collision/ClosedMesh.h"
+#include "collision/ClosedMesh.h"
 
 namespace ompl_mfa::collision
 {

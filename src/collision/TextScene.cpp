@@ -9,7 +9,7 @@
 #include "MoveItWorld.h"
 #include "SceneWarnings.h"
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/collision/PlanningScene.h"
 #include "ompl_mfa/collision/Primitive.h"
 #include "ompl_mfa/collision/TriangleMesh.h"

@@ -11,7 +11,7 @@
 #include <assimp/Importer.hpp>
 
 #include "PlyFile.h"
-#include "ompl_mfa/CLocaleScope.h"
+#include "text/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/collision/Scene.h"
 

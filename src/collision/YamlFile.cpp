@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ompl_mfa/InputError.h"
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa::collision

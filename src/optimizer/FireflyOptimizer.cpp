@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "ompl_mfa/NumberText.h"
+#include "text/NumberText.h"
 
 namespace
 {

@@ -22,7 +22,7 @@
 #include "benchmark/InputErrorOf.h"
 #include "benchmark/PlanarProblem.h"
 #include "benchmark/TestPlanners.h"
-#include "ompl_mfa/benchmark/CampaignProgress.h"
+#include "benchmark/CampaignProgress.h"
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;

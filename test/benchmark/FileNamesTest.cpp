@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/FileNames.h"
+#include "benchmark/FileNames.h"
 
 #include <cstdlib>
 #include <set>

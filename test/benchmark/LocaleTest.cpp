@@ -12,7 +12,7 @@
 #include "benchmark/PlanarProblem.h"
 #include "benchmark/TestPlanners.h"
 #include "ompl_mfa/benchmark/Campaign.h"
-#include "ompl_mfa/benchmark/CampaignProgress.h"
+#include "benchmark/CampaignProgress.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 

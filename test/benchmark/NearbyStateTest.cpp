@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/NearbyState.h"
+#include "benchmark/NearbyState.h"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <rapidcheck/gtest.h>
 
-#include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "benchmark/ProblemSpace.h"
 
 namespace
 {

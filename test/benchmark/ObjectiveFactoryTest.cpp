@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/ObjectiveFactory.h"
+#include "benchmark/ObjectiveFactory.h"
 
 #include <cmath>
 #include <limits>

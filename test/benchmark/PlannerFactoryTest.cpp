@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "benchmark/InputErrorOf.h"
-#include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "benchmark/ProblemSpace.h"
 
 namespace
 {

@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/PositionTaskSpace.h"
+#include "benchmark/PositionTaskSpace.h"
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/SE3StateSpace.h>

@@ -1,4 +1,4 @@
-#include "ompl_mfa/benchmark/ProblemSpace.h"
+#include "benchmark/ProblemSpace.h"
 
 #include <cmath>
 

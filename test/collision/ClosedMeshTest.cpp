@@ -1,4 +1,4 @@
-#include "ompl_mfa/collision/ClosedMesh.h"
+#include "collision/ClosedMesh.h"
 
 #include "collision/RandomScenes.h"
 #include "collision/TestFiles.h"

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_NUMBER_TEXT_
-#define OMPL_MFA_NUMBER_TEXT_
+#ifndef OMPL_MFA_TEXT_NUMBER_TEXT_
+#define OMPL_MFA_TEXT_NUMBER_TEXT_
 
 #include <array>
 #include <charconv>

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_CLOCALE_SCOPE_
-#define OMPL_MFA_CLOCALE_SCOPE_
+#ifndef OMPL_MFA_TEXT_CLOCALE_SCOPE_
+#define OMPL_MFA_TEXT_CLOCALE_SCOPE_
 
 #include <locale.h>
 
