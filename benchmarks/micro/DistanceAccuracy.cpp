@@ -13,7 +13,7 @@
 
 #include <fcl/narrowphase/distance.h>
 
-#include "NarrowPhase.h"
+#include "collision/NarrowPhase.h"
 #include "ompl_mfa/collision/Primitive.h"
 
 namespace ompl_mfa::collision

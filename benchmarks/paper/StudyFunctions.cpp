@@ -4,7 +4,7 @@
 #include <locale>
 #include <vector>
 
-#include "cli/TestFunction.h"
+#include "optimizer/TestFunction.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
@@ -12,7 +12,7 @@
 #include "paper/Study.h"
 
 using ompl_mfa::FireflyOptimizer;
-using ompl_mfa::cli::TestFunction;
+using ompl_mfa::TestFunction;
 
 namespace
 {

@@ -11,7 +11,7 @@
 #include <ompl/util/RandomNumbers.h>
 #include <CLI/CLI.hpp>
 
-#include "cli/NearestName.h"
+#include "text/NearestName.h"
 #include "ompl_mfa/InputError.h"
 #include "paper/Study.h"
 
@@ -41,7 +41,7 @@ namespace
             {"slices", ompl_mfa::paper::studySlices},
             {"functions", ompl_mfa::paper::studyFunctions}};
         for (const auto &part : parts)
-            ompl_mfa::cli::requireKnown("part", part, {"scenes", "planner", "paths", "slices", "functions"});
+            ompl_mfa::requireKnown("part", part, {"scenes", "planner", "paths", "slices", "functions"});
         for (const auto &step : steps)
         {
             if (std::find(parts.begin(), parts.end(), step.first) == parts.end())

@@ -9,6 +9,7 @@
 #include <boost/locale/encoding_utf.hpp>
 
 #include "ompl_mfa/InputError.h"
+#include "text/NearestName.h"
 #include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"
 
@@ -21,24 +22,6 @@ namespace ompl_mfa
         std::string joined(const std::vector<std::string> &names)
         {
             return boost::algorithm::join(names, ", ");
-        }
-
-        std::size_t editDistance(const std::string &a, const std::string &b)
-        {
-            std::vector<std::size_t> row(b.size() + 1);
-            std::iota(row.begin(), row.end(), 0);
-            for (std::size_t i = 1; i <= a.size(); ++i)
-            {
-                std::size_t diagonal = row[0];
-                row[0] = i;
-                for (std::size_t j = 1; j <= b.size(); ++j)
-                {
-                    const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-                    diagonal = row[j];
-                    row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-                }
-            }
-            return row.back();
         }
 
         bool isUtf8(const std::string &text)
@@ -144,22 +127,6 @@ namespace ompl_mfa
     void failAt(const ConfigEntry &entry, const std::string &message)
     {
         failAt(entry.origin, entry.key + " = " + entry.value + ": " + message);
-    }
-
-    std::string nearestName(const std::string &name, const std::vector<std::string> &known)
-    {
-        std::string nearest;
-        std::size_t least = std::max<std::size_t>(2, name.size() / 2) + 1;
-        for (const auto &candidate : known)
-        {
-            const std::size_t distance = editDistance(name, candidate);
-            if (distance < least)
-            {
-                least = distance;
-                nearest = candidate;
-            }
-        }
-        return nearest;
     }
 
     std::string suggestion(const std::string &name, const std::vector<std::string> &known)

@@ -12,10 +12,10 @@
 
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
-#include "cli/NearestName.h"
+#include "text/NearestName.h"
 #include "cli/NumberOption.h"
 #include "cli/SvgFigure.h"
-#include "cli/TestFunction.h"
+#include "optimizer/TestFunction.h"
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 #include "benchmark/FileNames.h"
@@ -23,7 +23,7 @@
 
 using ompl_mfa::FireflyOptimizer;
 using ompl_mfa::cli::SvgAxes;
-using ompl_mfa::cli::TestFunction;
+using ompl_mfa::TestFunction;
 
 namespace
 {
@@ -218,7 +218,7 @@ namespace
     void optimize(const Options &options)
     {
         for (const auto &algorithm : options.algorithms)
-            ompl_mfa::cli::requireKnown("algorithm", algorithm, {"fa", "mfa"});
+            ompl_mfa::requireKnown("algorithm", algorithm, {"fa", "mfa"});
         TestFunction function(options.function, options.dimension);
         if (!options.picture.empty() && options.dimension != 2)
         {

@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/Commands.h"
-#include "cli/NearestName.h"
+#include "text/NearestName.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
 
@@ -62,10 +62,10 @@ namespace
         if (extra.front() == '-')
         {
             const std::string name = extra.substr(0, extra.find('='));
-            return ompl_mfa::cli::describeUnknown("option", name, optionNames(innermost));
+            return ompl_mfa::describeUnknown("option", name, optionNames(innermost));
         }
         if (parsed.empty())
-            return ompl_mfa::cli::describeUnknown("command", extra, commandNames(app));
+            return ompl_mfa::describeUnknown("command", extra, commandNames(app));
         return "unexpected argument '" + extra + "' of '" + innermost.get_name() + "'";
     }
 

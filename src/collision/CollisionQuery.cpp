@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "QueryShapes.h"
+#include "collision/QueryShapes.h"
 
 namespace ompl_mfa::collision
 {

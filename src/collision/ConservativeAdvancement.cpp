@@ -1,4 +1,4 @@
-#include "ConservativeAdvancement.h"
+#include "collision/ConservativeAdvancement.h"
 
 #include <algorithm>
 #include <array>

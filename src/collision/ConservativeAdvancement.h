@@ -1,7 +1,7 @@
 #ifndef OMPL_MFA_COLLISION_CONSERVATIVE_ADVANCEMENT_
 #define OMPL_MFA_COLLISION_CONSERVATIVE_ADVANCEMENT_
 
-#include "NarrowPhase.h"
+#include "collision/NarrowPhase.h"
 #include "ompl_mfa/collision/BodyMotion.h"
 
 namespace ompl_mfa::collision

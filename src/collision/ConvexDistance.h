@@ -7,7 +7,7 @@
 
 #include <fcl/geometry/shape/triangle_p.h>
 
-#include "PrimitiveShapes.h"
+#include "collision/PrimitiveShapes.h"
 
 namespace ompl_mfa::collision
 {

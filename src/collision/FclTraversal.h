@@ -8,8 +8,8 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
-#include "ShapeKinds.h"
-#include "ShapeSeparation.h"
+#include "collision/ShapeKinds.h"
+#include "collision/ShapeSeparation.h"
 
 namespace ompl_mfa::collision
 {

@@ -1,4 +1,4 @@
-#include "MeshResource.h"
+#include "collision/MeshResource.h"
 
 #include <cstdlib>
 #include <sstream>

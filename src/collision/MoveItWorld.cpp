@@ -1,4 +1,4 @@
-#include "MoveItWorld.h"
+#include "collision/MoveItWorld.h"
 
 #include <algorithm>
 

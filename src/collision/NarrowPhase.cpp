@@ -1,11 +1,11 @@
-#include "NarrowPhase.h"
+#include "collision/NarrowPhase.h"
 
 #include <algorithm>
 #include <limits>
 #include <tuple>
 #include <type_traits>
 
-#include "FclTraversal.h"
+#include "collision/FclTraversal.h"
 
 namespace ompl_mfa::collision
 {

@@ -5,7 +5,7 @@
 
 #include <fcl/geometry/collision_geometry.h>
 
-#include "ConvexDistance.h"
+#include "collision/ConvexDistance.h"
 
 namespace ompl_mfa::collision
 {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "ConvexDistance.h"
-#include "ShapeKinds.h"
+#include "collision/ConvexDistance.h"
+#include "collision/ShapeKinds.h"
 
 namespace ompl_mfa::collision
 {

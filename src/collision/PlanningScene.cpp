@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "MeshResource.h"
-#include "MoveItWorld.h"
-#include "SceneWarnings.h"
-#include "YamlFile.h"
-#include "YamlShapes.h"
+#include "collision/MeshResource.h"
+#include "collision/MoveItWorld.h"
+#include "collision/SceneWarnings.h"
+#include "collision/YamlFile.h"
+#include "collision/YamlShapes.h"
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"

@@ -1,4 +1,4 @@
-#include "PlyFile.h"
+#include "collision/PlyFile.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "PrimitiveShapes.h"
+#include "collision/PrimitiveShapes.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::collision

@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "ConservativeAdvancement.h"
-#include "NarrowPhase.h"
-#include "ShapeReach.h"
-#include "SolidInterior.h"
+#include "collision/ConservativeAdvancement.h"
+#include "collision/NarrowPhase.h"
+#include "collision/ShapeReach.h"
+#include "collision/SolidInterior.h"
 #include "ompl_mfa/collision/CollisionQuery.h"
 
 namespace ompl_mfa::collision

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "ShapeReach.h"
+#include "collision/ShapeReach.h"
 #include "ompl_mfa/collision/Primitive.h"
 #include "ompl_mfa/collision/Scene.h"
 

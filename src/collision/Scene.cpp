@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "ShapeKinds.h"
+#include "collision/ShapeKinds.h"
 
 namespace ompl_mfa::collision
 {

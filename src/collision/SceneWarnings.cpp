@@ -1,4 +1,4 @@
-#include "SceneWarnings.h"
+#include "collision/SceneWarnings.h"
 
 #include <algorithm>
 

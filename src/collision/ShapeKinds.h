@@ -8,7 +8,7 @@
 
 #include <fcl/geometry/octree/octree.h>
 
-#include "PrimitiveShapes.h"
+#include "collision/PrimitiveShapes.h"
 #include "ompl_mfa/collision/TriangleMesh.h"
 
 namespace ompl_mfa::collision

@@ -1,8 +1,8 @@
-#include "ShapeReach.h"
+#include "collision/ShapeReach.h"
 
 #include <algorithm>
 
-#include "ShapeKinds.h"
+#include "collision/ShapeKinds.h"
 #include "ompl_mfa/collision/Scene.h"
 
 namespace ompl_mfa::collision

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "ConvexDistance.h"
+#include "collision/ConvexDistance.h"
 
 namespace ompl_mfa::collision
 {

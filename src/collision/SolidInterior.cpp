@@ -1,8 +1,8 @@
-#include "SolidInterior.h"
+#include "collision/SolidInterior.h"
 
 #include <algorithm>
 
-#include "ShapeKinds.h"
+#include "collision/ShapeKinds.h"
 
 namespace ompl_mfa::collision
 {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "MoveItWorld.h"
-#include "SceneWarnings.h"
+#include "collision/MoveItWorld.h"
+#include "collision/SceneWarnings.h"
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 #include "ompl_mfa/collision/PlanningScene.h"

@@ -10,7 +10,7 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
-#include "PlyFile.h"
+#include "collision/PlyFile.h"
 #include "text/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/collision/Scene.h"

@@ -1,4 +1,4 @@
-#include "YamlFile.h"
+#include "collision/YamlFile.h"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "YamlShapes.h"
+#include "collision/YamlShapes.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -5,8 +5,8 @@
 
 #include <fcl/geometry/collision_geometry.h>
 
-#include "MeshResource.h"
-#include "YamlFile.h"
+#include "collision/MeshResource.h"
+#include "collision/YamlFile.h"
 #include "ompl_mfa/collision/TriangleMesh.h"
 
 namespace ompl_mfa::collision

@@ -1,4 +1,4 @@
-#include "ConvexDistance.h"
+#include "collision/ConvexDistance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -45,9 +45,6 @@ namespace ompl_mfa
     /** \brief Throws InputError: "ORIGIN: KEY = VALUE: \e message". */
     [[noreturn]] void failAt(const ConfigEntry &entry, const std::string &message);
 
-    /** \brief The entry of \e known with the least edit distance to \e name; empty when none is near. */
-    std::string nearestName(const std::string &name, const std::vector<std::string> &known);
-
     /** \brief `; did you mean 'X'?` with the nearest of \e known, or, when none is near, `; known are A, B, ...`. */
     std::string suggestion(const std::string &name, const std::vector<std::string> &known);
 }  // namespace ompl_mfa

@@ -1,9 +1,9 @@
-#include "cli/TestFunction.h"
+#include "optimizer/TestFunction.h"
 
 #include <array>
 #include <cmath>
 
-#include "cli/NearestName.h"
+#include "text/NearestName.h"
 #include "ompl_mfa/InputError.h"
 
 namespace
@@ -83,7 +83,7 @@ namespace
     }};
 }  // namespace
 
-ompl_mfa::cli::TestFunction::TestFunction(const std::string &name, unsigned int dimension, const Eigen::VectorXd &shift)
+ompl_mfa::TestFunction::TestFunction(const std::string &name, unsigned int dimension, const Eigen::VectorXd &shift)
   : name_(name)
   , dimension_(dimension)
   , shift_(shift)
@@ -109,7 +109,7 @@ ompl_mfa::cli::TestFunction::TestFunction(const std::string &name, unsigned int 
     }
 }
 
-const std::vector<std::string> &ompl_mfa::cli::TestFunction::names()
+const std::vector<std::string> &ompl_mfa::TestFunction::names()
 {
     static const std::vector<std::string> allNames = []
     {
@@ -122,39 +122,39 @@ const std::vector<std::string> &ompl_mfa::cli::TestFunction::names()
     return allNames;
 }
 
-ompl_mfa::Brightness ompl_mfa::cli::TestFunction::evaluate(const Eigen::Ref<const Eigen::VectorXd> &x,
+ompl_mfa::Brightness ompl_mfa::TestFunction::evaluate(const Eigen::Ref<const Eigen::VectorXd> &x,
                                                            const Brightness * /*rival*/)
 {
     const double result = value(x);
     return {0.0, maximised_ ? -result : result};
 }
 
-double ompl_mfa::cli::TestFunction::value(const Eigen::Ref<const Eigen::VectorXd> &x) const
+double ompl_mfa::TestFunction::value(const Eigen::Ref<const Eigen::VectorXd> &x) const
 {
     return function_(x - shift_);
 }
 
-double ompl_mfa::cli::TestFunction::valueOf(const Brightness &brightness) const
+double ompl_mfa::TestFunction::valueOf(const Brightness &brightness) const
 {
     return maximised_ ? -brightness.cost : brightness.cost;
 }
 
-Eigen::VectorXd ompl_mfa::cli::TestFunction::lower() const
+Eigen::VectorXd ompl_mfa::TestFunction::lower() const
 {
     return Eigen::VectorXd::Constant(dimension_, lower_);
 }
 
-Eigen::VectorXd ompl_mfa::cli::TestFunction::upper() const
+Eigen::VectorXd ompl_mfa::TestFunction::upper() const
 {
     return Eigen::VectorXd::Constant(dimension_, upper_);
 }
 
-Eigen::VectorXd ompl_mfa::cli::TestFunction::optimum() const
+Eigen::VectorXd ompl_mfa::TestFunction::optimum() const
 {
     return Eigen::VectorXd::Constant(dimension_, optimum_) + shift_;
 }
 
-bool ompl_mfa::cli::TestFunction::isNearOptimum(const Eigen::Ref<const Eigen::VectorXd> &x) const
+bool ompl_mfa::TestFunction::isNearOptimum(const Eigen::Ref<const Eigen::VectorXd> &x) const
 {
     return (x - optimum()).norm() <= 0.05 * (upper_ - lower_);
 }

@@ -1,5 +1,5 @@
-#ifndef OMPL_MFA_CLI_TEST_FUNCTION_
-#define OMPL_MFA_CLI_TEST_FUNCTION_
+#ifndef OMPL_MFA_OPTIMIZER_TEST_FUNCTION_
+#define OMPL_MFA_OPTIMIZER_TEST_FUNCTION_
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 #include "ompl_mfa/optimizer/ObjectiveFunction.h"
 
-namespace ompl_mfa::cli
+namespace ompl_mfa
 {
     /** \brief A function with known global optimum, over a cube in R^d. */
     class TestFunction : public ObjectiveFunction
@@ -58,6 +58,6 @@ namespace ompl_mfa::cli
         double (*function_)(const Eigen::VectorXd &x);
         bool maximised_;
     };
-}  // namespace ompl_mfa::cli
+}  // namespace ompl_mfa
 
 #endif

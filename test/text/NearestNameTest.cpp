@@ -1,13 +1,22 @@
-#include "cli/NearestName.h"
+#include "text/NearestName.h"
 
 #include <gtest/gtest.h>
 
 #include "ompl_mfa/InputError.h"
 
-using ompl_mfa::cli::describeUnknown;
-using ompl_mfa::cli::requireKnown;
+using ompl_mfa::describeUnknown;
+using ompl_mfa::requireKnown;
 
-TEST(NearestName, guessesOnlyWhatIsClose)
+TEST(NearestName, IsTheLeastEditedOne)
+{
+    const std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm", "prmstar"};
+    EXPECT_EQ(ompl_mfa::nearestName("rrtconect", known), "rrtconnect");
+    EXPECT_EQ(ompl_mfa::nearestName("prm*", known), "prm");
+    EXPECT_EQ(ompl_mfa::nearestName("rttstar", known), "rrtstar");
+    EXPECT_EQ(ompl_mfa::nearestName("zzzzzzzzzzzzzzzz", known), "");
+}
+
+TEST(NearestName, GuessesOnlyWhatIsClose)
 {
     EXPECT_EQ(describeUnknown("planner", "rrtstr", {"bitstar", "rrtstar"}),
               "unknown planner 'rrtstr'; did you mean 'rrtstar'? accepted: bitstar, rrtstar");
@@ -16,7 +25,7 @@ TEST(NearestName, guessesOnlyWhatIsClose)
     EXPECT_EQ(describeUnknown("planner", "", {"a"}), "unknown planner ''; did you mean 'a'? accepted: a");
 }
 
-TEST(NearestName, throwsOnlyForUnknownNames)
+TEST(NearestName, ThrowsOnlyForUnknownNames)
 {
     EXPECT_NO_THROW(requireKnown("planner", "a", {"a", "b"}));
     EXPECT_THROW(requireKnown("planner", "c", {"a", "b"}), ompl_mfa::InputError);

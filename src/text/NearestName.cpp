@@ -1,4 +1,4 @@
-#include "cli/NearestName.h"
+#include "text/NearestName.h"
 
 #include <algorithm>
 #include <numeric>
@@ -27,24 +27,37 @@ namespace
     }
 }  // namespace
 
-std::string ompl_mfa::cli::describeUnknown(const std::string &kind, const std::string &name,
-                                           const std::vector<std::string> &accepted)
+std::string ompl_mfa::nearestName(const std::string &name, const std::vector<std::string> &known)
+{
+    std::string nearest;
+    // farther than this, the guess is rather a distraction
+    std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
+    for (const auto &candidate : known)
+    {
+        const std::size_t distance = editDistance(name, candidate);
+        if (distance < least)
+        {
+            least = distance;
+            nearest = candidate;
+        }
+    }
+    return nearest;
+}
+
+std::string ompl_mfa::describeUnknown(const std::string &kind, const std::string &name,
+                                      const std::vector<std::string> &accepted)
 {
     std::string message = "unknown " + kind + " '" + name + "'; ";
-    const auto nearest =
-        std::min_element(accepted.begin(), accepted.end(),
-                         [&](const auto &a, const auto &b) { return editDistance(name, a) < editDistance(name, b); });
-    // Farther than this, the guess is rather a distraction.
-    if (nearest != accepted.end() && editDistance(name, *nearest) <= std::max<std::size_t>(1, name.size() / 3))
-        message += "did you mean '" + *nearest + "'? ";
+    const std::string nearest = nearestName(name, accepted);
+    if (!nearest.empty())
+        message += "did you mean '" + nearest + "'? ";
     message += "accepted:";
     for (std::size_t i = 0; i < accepted.size(); ++i)
         message += (i == 0 ? " " : ", ") + accepted[i];
     return message;
 }
 
-void ompl_mfa::cli::requireKnown(const std::string &kind, const std::string &name,
-                                 const std::vector<std::string> &accepted)
+void ompl_mfa::requireKnown(const std::string &kind, const std::string &name, const std::vector<std::string> &accepted)
 {
     if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
         throw InputError(describeUnknown(kind, name, accepted));

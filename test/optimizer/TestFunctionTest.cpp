@@ -1,4 +1,4 @@
-#include "cli/TestFunction.h"
+#include "optimizer/TestFunction.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "ompl_mfa/InputError.h"
 
-using ompl_mfa::cli::TestFunction;
+using ompl_mfa::TestFunction;
 
 TEST(TestFunction, hasTheOptimumOfTheLiterature)
 {
