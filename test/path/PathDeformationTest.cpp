@@ -1,4 +1,4 @@
-#include "engine/refinement/PathDeformation.h"
+#include "path/PathDeformation.h"
 
 #include <memory>
 #include <utility>

@@ -173,6 +173,7 @@ namespace ompl_mfa
         {
             static const std::vector<Values> VALUES{
                 {"variant", {"mfa", "fa"}, {"", "MFA", "0"}},
+                {"fireflies", {"0", "1"}, {"2", "off", ""}},
                 {"population_size", {"0", "4", "9", "25"}, {"1", "2", "3", "10001", "-4"}},
                 {"slices", {"1", "2", "7", "12"}, {"0", "1001", "x"}},
                 {"generations", {"1", "3", "50", "100000"}, {"0", "100001", "1e3"}},
@@ -249,6 +250,12 @@ namespace ompl_mfa
             bool isStart(const ob::State *state) const;
             bool isGoal(const ob::State *state) const;
             std::vector<const ob::State *> listedGoals() const;
+
+            /* Whether a search that begins now has no part that finds paths. */
+            bool nothingSearches() const
+            {
+                return set_.at("fireflies") == "0" && set_.at("guide") == "none" && !guidePlanner_;
+            }
 
             /* The query, or its settings, may be new with the next solve(). */
             void mayRestart()
@@ -336,7 +343,7 @@ namespace ompl_mfa
             const std::string whole = std::to_string(n);
             const bool on = command.b % 2 == 0;
             const std::string guide = on ? "both" : "none";
-            switch (command.a % 10)
+            switch (command.a % 11)
             {
                 case 0:
                     return setting("population_size", n == 0 || (n >= 4 && n <= 10000), whole,
@@ -357,6 +364,8 @@ namespace ompl_mfa
                     return setting("recombination", true, on ? "1" : "0", [&] { planner_.setRecombination(on); });
                 case 8:
                     return setting("tightening", true, on ? "1" : "0", [&] { planner_.setTightening(on); });
+                case 9:
+                    return setting("fireflies", true, on ? "1" : "0", [&] { planner_.setFireflies(on); });
                 default:
                     return setting("threads", n >= 1 && n <= 64, whole, [&] { planner_.setThreads(n); });
             }
@@ -569,6 +578,9 @@ namespace ompl_mfa
 
         void Model::solve(unsigned int evaluations)
         {
+            // whether the search is new, or may be
+            const bool begins = frozen_.empty();
+            const bool mayBegin = begins || !kept_;
             const bool complete = hasProblem_ && problem_.pdef->getStartStateCount() > 0 && problem_.pdef->getGoal();
             problem_.pdef->clearSolutionPaths();
             ob::PlannerStatus status;
@@ -581,11 +593,18 @@ namespace ompl_mfa
             {
                 thrown = true;
             }
+            if (complete && thrown)
+            {
+                RC_ASSERT(mayBegin && nothingSearches());
+                restarts();
+                return;
+            }
             RC_ASSERT(thrown == !complete);
             if (thrown)
                 return;
+            RC_ASSERT(!begins || !nothingSearches());
             // where the query may have changed, the search may have the parameters of either
-            if (!kept_ || frozen_.empty())
+            if (mayBegin)
                 frozen_.push_back({set_, guidePlanner_});
             if (expectRefusal(status, evaluations))
             {
@@ -656,15 +675,17 @@ namespace ompl_mfa
         /* What was switched off when the query began has no share in it. */
         void Model::expectShares()
         {
-            const std::vector<double> shares = planner_.shares();
+            const std::map<std::string, double> shares = planner_.shares();
             const auto isWithout = [&](const Frozen &frozen)
             {
+                const auto on = [&frozen](const std::string &name) { return frozen.parameters.at(name) == "1"; };
+                const auto idle = [&shares](const std::string &part) { return shares.at(part) == 0.0; };
                 const std::string &guide = frozen.parameters.at("guide");
-                return (frozen.parameters.at("recombination") == "1" || shares[1] == 0.0) &&
-                       (frozen.parameters.at("tightening") == "1" || shares[2] == 0.0) &&
-                       (guide == "both" || guide == "trees" || shares[3] == 0.0) &&
-                       (guide == "both" || guide == "roadmap" || shares[4] == 0.0) &&
-                       (frozen.guidePlanner || shares[5] == 0.0);
+                return (on("fireflies") || (idle("fireflies") && idle("recombination"))) &&
+                       (on("recombination") || idle("recombination")) && (on("tightening") || idle("tightening")) &&
+                       (guide == "both" || guide == "trees" || idle("trees")) &&
+                       (guide == "both" || guide == "roadmap" || idle("roadmap")) &&
+                       (frozen.guidePlanner || idle("guide planner"));
             };
             RC_ASSERT(std::any_of(frozen_.begin(), frozen_.end(), isWithout));
         }

@@ -10,6 +10,7 @@
 #include <ompl/base/objectives/StateCostIntegralObjective.h>
 #include <ompl/util/Exception.h>
 
+#include "path/PathEvaluator.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;
@@ -199,7 +200,7 @@ namespace ompl_mfa
             EXPECT_FALSE(solution.optimized_);
             // the search for a first path goes on: trees and roadmap have nearly all of the time
             const auto shares = planner_->shares();
-            EXPECT_GT(shares[3] + shares[4], 0.5);
+            EXPECT_GT(shares.at("trees") + shares.at("roadmap"), 0.5);
         }
 
         TEST(MotionsOfNoLength, CostNothingWhereAnIntegralOfThemIsNotANumber)

@@ -15,6 +15,7 @@
 
 #include "ForeignLocale.h"
 #include "planner/ConsoleRecord.h"
+#include "planner/MFAParameters.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;
@@ -316,7 +317,6 @@ namespace ompl_mfa
         /* A search keeps the parameters that it began with. */
         TEST_F(Parameters, AChangeBetweenTwoSolvesWaitsForTheNextQuery)
         {
-            constexpr std::size_t TIGHTENING = 2;
             const auto planner = problem_->planner(test::Engine::Default);
             planner->setTightening(false);
             ASSERT_EQ(planner->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
@@ -324,23 +324,22 @@ namespace ompl_mfa
             planner->setTightening(true);
             EXPECT_TRUE(planner->getTightening());
             planner->solve(test::afterCalls(2000));
-            EXPECT_EQ(planner->shares()[TIGHTENING], 0.0);
+            EXPECT_EQ(planner->shares().at("tightening"), 0.0);
             planner->clear();
             EXPECT_TRUE(planner->getTightening());
             planner->solve(test::afterCalls(2000));
-            EXPECT_GT(planner->shares()[TIGHTENING], 0.0);
+            EXPECT_GT(planner->shares().at("tightening"), 0.0);
         }
 
         TEST_F(Parameters, ANewQueryTakesWhatWasSet)
         {
-            constexpr std::size_t TIGHTENING = 2;
             const auto planner = problem_->planner(test::Engine::Default);
             planner->setTightening(false);
             planner->solve(test::afterCalls(2000));
             planner->setTightening(true);
             problem_->pdef->setGoalState(problem_->state({9.0, 2.0}));
             planner->solve(test::afterCalls(2000));
-            EXPECT_GT(planner->shares()[TIGHTENING], 0.0);
+            EXPECT_GT(planner->shares().at("tightening"), 0.0);
         }
 
         TEST_F(Parameters, WhatIsSetBetweenTwoSolvesDoesNotChangeTheSearch)
@@ -353,6 +352,7 @@ namespace ompl_mfa
                 if (disturbed)
                 {
                     planner->setVariant("fa");
+                    planner->setFireflies(false);
                     planner->setPopulationSize(7);
                     planner->setSlices(3);
                     planner->setGenerations(2);
@@ -366,7 +366,9 @@ namespace ompl_mfa
                     planner->setThreads(2);
                 }
                 planner->solve(test::afterCalls(6000));
-                std::vector<double> result = planner->shares();
+                std::vector<double> result;
+                for (const auto &share : planner->shares())
+                    result.push_back(share.second);
                 result.push_back(planner->bestCost());
                 result.push_back(static_cast<double>(planner->evaluations()));
                 result.push_back(static_cast<double>(planner->iterations()));
@@ -403,11 +405,12 @@ namespace ompl_mfa
             {
                 const std::string &name = parameter.name;
                 ASSERT_EQ(rows.count(name), 1U) << name << " is not in the table";
-                EXPECT_EQ(rows[name][2], ' ' + parameter.accepted.write(MFASettings().*parameter.member) + ' ') << name;
+                EXPECT_EQ(rows[name][2], ' ' + parameter.accepted.write(SearchSettings().*parameter.member) + ' ')
+                    << name;
                 EXPECT_EQ(rows[name][3], ' ' + parameter.accepted.description() + ' ') << name;
                 EXPECT_EQ(rows[name][5], ' ' + parameter.meaning + ' ') << name;
                 EXPECT_TRUE(planner_.params().hasParam(name));
-                EXPECT_EQ(value(name), parameter.accepted.write(MFASettings().*parameter.member));
+                EXPECT_EQ(value(name), parameter.accepted.write(SearchSettings().*parameter.member));
                 rows.erase(name);
             };
             for (const auto &parameter : mfaParameters())

@@ -54,8 +54,8 @@ namespace ompl_mfa
                 pdef_->setIntermediateSolutionCallback({});
                 result.push_back(static_cast<double>(mfa->evaluations()));
                 result.push_back(static_cast<double>(mfa->iterations()));
-                for (const double share : mfa->shares())
-                    result.push_back(share);
+                for (const auto &share : mfa->shares())
+                    result.push_back(share.second);
                 return result;
             }
 

@@ -31,18 +31,15 @@ namespace ompl_mfa
             }
         };
 
-        /* Numbers in MFA::shares(). While there is no path the trees have three tenths of the time, afterwards less. */
-        constexpr std::size_t TIGHTENING = 2;
-        constexpr std::size_t TREES = 3;
-
         TEST(Phases, AStraightMotionIsAFirstPath)
         {
             const auto problem = test::freeProblem();
             problem->pdef->setOptimizationObjective(std::make_shared<Slope>(problem->si));
             const auto planner = problem->planner(test::Engine::Default);
             ASSERT_EQ(planner->solve(test::afterCalls(60000)), ob::PlannerStatus::EXACT_SOLUTION);
-            EXPECT_GT(planner->shares()[TIGHTENING], 0.1);
-            EXPECT_LT(planner->shares()[TREES], 0.15);
+            EXPECT_GT(planner->shares().at("tightening"), 0.1);
+            // while there is no path the trees have three tenths of the time, afterwards less
+            EXPECT_LT(planner->shares().at("trees"), 0.15);
         }
 
         TEST(Phases, TheStraightMotionToALaterGoalIsAFirstPath)
@@ -57,7 +54,7 @@ namespace ompl_mfa
             EXPECT_NE(planner->solve(test::afterCalls(2000)), ob::PlannerStatus::EXACT_SOLUTION);
             goals->addState(problem->state({4.0, 4.0}));
             ASSERT_EQ(planner->solve(test::afterCalls(100000)), ob::PlannerStatus::EXACT_SOLUTION);
-            EXPECT_GT(planner->shares()[TIGHTENING], 0.1);
+            EXPECT_GT(planner->shares().at("tightening"), 0.1);
         }
     }  // namespace
 }  // namespace ompl_mfa

@@ -1,6 +1,8 @@
 #include "engine/guides/TreePart.h"
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -9,9 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <ompl/base/goals/GoalStates.h>
-#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
-#include "ompl_mfa/planner/MFA.h"
+#include "engine/SearchProblem.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;
@@ -22,41 +23,39 @@ namespace ompl_mfa
     {
         constexpr double ANY = std::numeric_limits<double>::infinity();
 
-        /* A query in any space and all that a guide for it needs. */
-        class GuideQuery
+        ob::ProblemDefinitionPtr problemOf(const ob::SpaceInformationPtr &si, const Waypoints &starts,
+                                           const Waypoints &goals)
+        {
+            auto pdef = std::make_shared<ob::ProblemDefinition>(si);
+            for (const ob::State *start : starts.pointers())
+                pdef->addStartState(start);
+            const auto goal = std::make_shared<ob::GoalStates>(si);
+            for (const ob::State *state : goals.pointers())
+                goal->addState(state);
+            pdef->setGoal(goal);
+            return pdef;
+        }
+
+        /* A query in any space and all that a part of its search needs. */
+        class TreeQuery
         {
         public:
-            GuideQuery(const ob::StateSpacePtr &space, const std::function<bool(const ob::State *)> &isValid,
-                       const Waypoints &starts, const Waypoints &goals)
+            TreeQuery(const ob::StateSpacePtr &space, const std::function<bool(const ob::State *)> &isValid,
+                      const Waypoints &starts, const Waypoints &goals, std::uint64_t seed = 3)
               : counted(space, isValid)
               , si(counted.si)
-              , planner(std::make_unique<MFA>(si))
-              , chart(std::make_shared<const StateChart>(space))
-              , evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si))
-              , query(space)
+              , search(problemOf(si, starts, goals), seed)
               , path(space)
             {
-                const auto pdef = std::make_shared<ob::ProblemDefinition>(si);
-                for (const ob::State *start : starts.pointers())
-                    pdef->addStartState(start);
-                const auto goal = std::make_shared<ob::GoalStates>(si);
-                for (const ob::State *state : goals.pointers())
-                    goal->addState(state);
-                pdef->setGoal(goal);
-                planner->setProblemDefinition(pdef);
-                inputs.use(pdef);
-                query.reset(*pdef);
-                query.begin(inputs, ob::plannerNonTerminatingCondition(), chart, si, 1);
-                for (std::size_t i = 0; i < 2 * goals.size(); ++i)
-                    query.poll(inputs, ob::plannerNonTerminatingCondition());
+                EXPECT_EQ(search.begin(), ob::PlannerStatus::EXACT_SOLUTION);
             }
 
             /* Gives the guide turns until it has a path. */
-            bool find(Guide &guide, double bound, int turns = 2000)
+            bool find(GuidePart &guide, double bound, int turns = 2000)
             {
                 for (int turn = 0; turn < turns; ++turn)
                 {
-                    if (guide.advance(query, bound, 1000, path))
+                    if (guide.search(bound, 1000, path))
                         return true;
                 }
                 return false;
@@ -75,20 +74,16 @@ namespace ompl_mfa
             void expectPath()
             {
                 ASSERT_GE(path.size(), 2U);
-                EXPECT_TRUE(isOneOf(query.starts(), path.front()));
-                EXPECT_TRUE(isOneOf(query.goals(), path.back()));
+                EXPECT_TRUE(isOneOf(search.starts(), path.front()));
+                EXPECT_TRUE(isOneOf(search.goals(), path.back()));
                 for (std::size_t i = 0; i < path.size(); ++i)
                     EXPECT_TRUE(si->isValid(path[i]));
-                EXPECT_TRUE(evaluator.checkPath(path));
+                EXPECT_TRUE(search.evaluator().checkPath(path));
             }
 
             test::CountingProblem counted;
             ob::SpaceInformationPtr si;
-            std::unique_ptr<MFA> planner;
-            StateChartPtr chart;
-            PathEvaluator evaluator;
-            ob::PlannerInputStates inputs;
-            Query query;
+            test::SearchProblem search;
             Waypoints path;
         };
 
@@ -100,15 +95,15 @@ namespace ompl_mfa
             return states;
         }
 
-        class TreeGuideInSpace : public ::testing::TestWithParam<test::NamedSpace>
+        class TreePartInSpace : public ::testing::TestWithParam<test::NamedSpace>
         {
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, TreeGuideInSpace, ::testing::ValuesIn(test::supportedSpaces()),
+        INSTANTIATE_TEST_SUITE_P(Planner, TreePartInSpace, ::testing::ValuesIn(test::supportedSpaces()),
                                  test::SpaceName());
 
         /* A tenth of the states, by the first of their coordinates that the space projects, is invalid: stripes. */
-        TEST_P(TreeGuideInSpace, FindsValidPathsFromStartToGoal)
+        TEST_P(TreePartInSpace, FindsValidPathsFromStartToGoal)
         {
             const auto space = GetParam().make();
             std::vector<double> values;
@@ -127,8 +122,8 @@ namespace ompl_mfa
                     start = one(space, rng);
                 while (!valid(goal[0]))
                     goal = one(space, rng);
-                GuideQuery q(space, valid, start, goal);
-                TreeGuide trees(q.planner.get(), q.chart, q.evaluator, seed);
+                TreeQuery q(space, valid, start, goal, seed);
+                TreePart trees(q.search.context);
                 // and again: they restart
                 for (int i = 0; i < 3; ++i)
                 {
@@ -181,25 +176,25 @@ namespace ompl_mfa
             }
         };
 
-        TEST(TreeGuide, FollowsTheDirectionOfMotions)
+        TEST(TreePart, FollowsTheDirectionOfMotions)
         {
             const auto space = std::make_shared<Windy>();
             const auto anywhere = [](const ob::State *) { return true; };
-            GuideQuery there(space, anywhere, test::planarPath(space, {{-8.0, 0.0}}),
-                             test::planarPath(space, {{8.0, 0.0}}));
-            GuideQuery back(space, anywhere, test::planarPath(space, {{8.0, 0.0}}),
-                            test::planarPath(space, {{-8.0, 0.0}}));
-            for (GuideQuery *q : {&there, &back})
+            TreeQuery there(space, anywhere, test::planarPath(space, {{-8.0, 0.0}}),
+                            test::planarPath(space, {{8.0, 0.0}}));
+            TreeQuery back(space, anywhere, test::planarPath(space, {{8.0, 0.0}}),
+                           test::planarPath(space, {{-8.0, 0.0}}));
+            for (TreeQuery *q : {&there, &back})
                 q->si->setMotionValidator(std::make_shared<OneWay>(q->si));
-            TreeGuide treesThere(there.planner.get(), there.chart, there.evaluator, 1);
+            TreePart treesThere(there.search.context);
             ASSERT_TRUE(there.find(treesThere, ANY));
             there.expectPath();
-            TreeGuide treesBack(back.planner.get(), back.chart, back.evaluator, 1);
+            TreePart treesBack(back.search.context);
             EXPECT_FALSE(back.find(treesBack, ANY, 20));
         }
 
         /* The plane with a wall 4.5 < x < 5.5 that leaves a gap above y = 6. */
-        class TreeGuideTest : public ::testing::Test
+        class TreePartTest : public ::testing::Test
         {
         protected:
             static bool isFree(const ob::State *s)
@@ -207,51 +202,52 @@ namespace ompl_mfa
                 return test::coordinate(s, 0) <= 4.5 || test::coordinate(s, 0) >= 5.5 || test::coordinate(s, 1) >= 6.0;
             }
 
-            std::unique_ptr<GuideQuery> query(const std::vector<std::pair<double, double>> &starts,
-                                              const std::vector<std::pair<double, double>> &goals) const
+            std::unique_ptr<TreeQuery> query(const std::vector<std::pair<double, double>> &starts,
+                                             const std::vector<std::pair<double, double>> &goals,
+                                             std::uint64_t seed = 3) const
             {
-                return std::make_unique<GuideQuery>(space_, isFree, test::planarPath(space_, starts),
-                                                    test::planarPath(space_, goals));
+                return std::make_unique<TreeQuery>(space_, isFree, test::planarPath(space_, starts),
+                                                   test::planarPath(space_, goals), seed);
             }
 
             ob::StateSpacePtr space_ = test::realVectorSpace(2, 0.0, 10.0);
         };
 
-        TEST_F(TreeGuideTest, JoinsAnyOfTheStartsWithAnyOfTheGoals)
+        TEST_F(TreePartTest, JoinsAnyOfTheStartsWithAnyOfTheGoals)
         {
             const auto q = query({{1.0, 6.5}, {1.0, 9.5}}, {{9.0, 6.5}, {9.0, 9.5}});
-            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            TreePart trees(q->search.context);
             std::vector<int> starts(2, 0);
             std::vector<int> goals(2, 0);
             for (int i = 0; i < 100; ++i)
             {
                 ASSERT_TRUE(q->find(trees, ANY));
                 q->expectPath();
-                ++starts[q->si->equalStates(q->path.front(), q->query.starts()[0]) ? 0 : 1];
-                ++goals[q->si->equalStates(q->path.back(), q->query.goals()[0]) ? 0 : 1];
+                ++starts[q->si->equalStates(q->path.front(), q->search.starts()[0]) ? 0 : 1];
+                ++goals[q->si->equalStates(q->path.back(), q->search.goals()[0]) ? 0 : 1];
             }
             for (const int count : {starts[0], starts[1], goals[0], goals[1]})
                 EXPECT_GT(count, 5);
         }
 
         /* The near goal can be seen from the start: trees with a root there would always end there. */
-        TEST_F(TreeGuideTest, GrowsFromNoGoalThatCannotBeOnABetterPath)
+        TEST_F(TreePartTest, GrowsFromNoGoalThatCannotBeOnABetterPath)
         {
             const auto q = query({{1.0, 1.0}}, {{1.0, 9.9}, {9.0, 1.0}});
-            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            TreePart trees(q->search.context);
             // to the first goal it is 8.9, to the second at the least 8, and 13.2 around the wall
             ASSERT_FALSE(q->find(trees, 8.5, 20));
             SearchGraph graph(space_);
             trees.explain(graph);
             ASSERT_EQ(graph.goals.size(), 1U);
-            EXPECT_TRUE(q->si->equalStates(graph.states[graph.goals[0]], q->query.goals()[1]));
+            EXPECT_TRUE(q->si->equalStates(graph.states[graph.goals[0]], q->search.goals()[1]));
             EXPECT_EQ(graph.starts.size(), 1U);
         }
 
-        TEST_F(TreeGuideTest, KeepsWithinTheInformedSet)
+        TEST_F(TreePartTest, KeepsWithinTheInformedSet)
         {
             const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
-            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            TreePart trees(q->search.context);
             constexpr double BOUND = 14.0;
             for (int i = 0; i < 10; ++i)
             {
@@ -260,24 +256,24 @@ namespace ompl_mfa
                 trees.explain(graph);
                 for (std::size_t v = 0; v < graph.states.size(); ++v)
                 {
-                    EXPECT_LT(space_->distance(q->query.starts()[0], graph.states[v]) +
-                                  space_->distance(graph.states[v], q->query.goals()[0]),
+                    EXPECT_LT(space_->distance(q->search.starts()[0], graph.states[v]) +
+                                  space_->distance(graph.states[v], q->search.goals()[0]),
                               BOUND);
                 }
             }
             // where nothing can be better there is nothing to grow
-            TreeGuide others(q->planner.get(), q->chart, q->evaluator, 3);
+            TreePart others(q->search.context);
             q->counted.forget();
             EXPECT_FALSE(q->find(others, 8.0, 3));
             EXPECT_EQ(q->counted.motions, 0U);
         }
 
-        TEST_F(TreeGuideTest, TheSeedDecidesThePath)
+        TEST_F(TreePartTest, TheSeedDecidesThePath)
         {
             const auto run = [this](std::uint_fast32_t seed)
             {
-                const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
-                TreeGuide trees(q->planner.get(), q->chart, q->evaluator, seed);
+                const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}}, seed);
+                TreePart trees(q->search.context);
                 std::vector<double> costs;
                 for (int i = 0; i < 5; ++i)
                 {
@@ -290,20 +286,20 @@ namespace ompl_mfa
             EXPECT_NE(run(5), run(6));
         }
 
-        TEST_F(TreeGuideTest, StopsWithTheConditionAndGoesOn)
+        TEST_F(TreePartTest, StopsWithTheConditionAndGoesOn)
         {
             const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
-            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            TreePart trees(q->search.context);
             int interrupted = 0;
             for (int calls = 0;; ++calls)
             {
                 int asked = 0;
-                q->evaluator.setStopCondition([&asked, calls] { return ++asked > calls; });
+                q->search.evaluator().setStopCondition([&asked, calls] { return ++asked > calls; });
                 q->counted.forget();
-                const bool found = trees.advance(q->query, ANY, 1000000, q->path);
+                const bool found = trees.search(ANY, 1000000, q->path);
                 EXPECT_LE(q->counted.motions, static_cast<std::uint64_t>(calls) + 1);
-                const bool stopped = q->evaluator.interrupted();
-                q->evaluator.setStopCondition({});
+                const bool stopped = q->search.evaluator().interrupted();
+                q->search.evaluator().setStopCondition({});
                 if (found)
                 {
                     q->expectPath();
@@ -315,35 +311,35 @@ namespace ompl_mfa
             EXPECT_GT(interrupted, 0);
         }
 
-        TEST_F(TreeGuideTest, WorksNoMoreThanItIsAllowed)
+        TEST_F(TreePartTest, WorksNoMoreThanItIsAllowed)
         {
             const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
-            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            TreePart trees(q->search.context);
             for (int turn = 0; turn < 20; ++turn)
             {
-                const std::uint64_t before = q->evaluator.work();
-                trees.advance(q->query, ANY, 100, q->path);
+                const std::uint64_t before = q->search.evaluator().work();
+                trees.search(ANY, 100, q->path);
                 // one iteration may follow the other tree across the plane
-                EXPECT_LT(q->evaluator.work() - before, 1000U);
+                EXPECT_LT(q->search.evaluator().work() - before, 1000U);
             }
         }
 
-        TEST_F(TreeGuideTest, ExplainsTheTreesThatFoundThePath)
+        TEST_F(TreePartTest, ExplainsTheTreesThatFoundThePath)
         {
             const auto q = query({{1.0, 1.0}}, {{9.0, 1.0}});
-            TreeGuide trees(q->planner.get(), q->chart, q->evaluator, 3);
+            TreePart trees(q->search.context);
             SearchGraph before(space_);
             trees.explain(before);
             EXPECT_TRUE(before.states.empty());
             ASSERT_TRUE(q->find(trees, ANY));
             // it appends to what others have explained
             SearchGraph graph(space_);
-            graph.states.append(q->query.starts()[0]);
+            graph.states.append(q->search.starts()[0]);
             trees.explain(graph);
             ASSERT_EQ(graph.starts.size(), 1U);
             ASSERT_EQ(graph.goals.size(), 1U);
-            EXPECT_TRUE(q->si->equalStates(graph.states[graph.starts[0]], q->query.starts()[0]));
-            EXPECT_TRUE(q->si->equalStates(graph.states[graph.goals[0]], q->query.goals()[0]));
+            EXPECT_TRUE(q->si->equalStates(graph.states[graph.starts[0]], q->search.starts()[0]));
+            EXPECT_TRUE(q->si->equalStates(graph.states[graph.goals[0]], q->search.goals()[0]));
             for (const auto &[from, to] : graph.edges)
             {
                 EXPECT_TRUE(q->si->isValid(graph.states[to]));

@@ -24,24 +24,30 @@ namespace ompl_mfa
             QueryTest()
             {
                 inputs_.use(problem_->pdef);
-                query_.reset(*problem_->pdef);
+                ask();
+            }
+
+            /* A query that knows nothing yet. */
+            void ask()
+            {
+                query_ = Query(problem_->si->getStateSpace());
+                query_.ask(*pdef_);
             }
 
             ob::PlannerStatus::StatusType begin()
             {
-                return query_.begin(inputs_, never_, chart_, problem_->si, 1);
+                return query_.begin(inputs_, never_, problem_->si);
             }
 
             /* Another query. */
             void beginAgain()
             {
-                query_.reset(*pdef_);
+                ask();
                 ASSERT_EQ(begin(), ob::PlannerStatus::EXACT_SOLUTION);
             }
 
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
             ob::ProblemDefinitionPtr pdef_ = problem_->pdef;
-            StateChartPtr chart_ = std::make_shared<const StateChart>(problem_->si->getStateSpace());
             ob::PlannerInputStates inputs_;
             Query query_{problem_->si->getStateSpace()};
             ob::PlannerTerminationCondition never_{[] { return false; }};
@@ -53,7 +59,7 @@ namespace ompl_mfa
             EXPECT_EQ(query_.starts().size(), 1U);
             EXPECT_EQ(query_.goals().size(), 1U);
             EXPECT_TRUE(query_.goalsComplete());
-            EXPECT_FALSE(query_.poll(inputs_, never_));
+            EXPECT_FALSE(query_.poll(inputs_));
         }
 
         TEST_F(QueryTest, NoticesWhatChanges)
@@ -84,7 +90,7 @@ namespace ompl_mfa
             for (const double y : {1.0, 2.0, 1.0})
                 goals->addState(problem_->state({9.0, y}));
             pdef_->setGoal(goals);
-            query_.reset(*pdef_);
+            ask();
             for (int i = 0; i < 20; ++i)
             {
                 const auto next = std::make_shared<ob::ProblemDefinition>(problem_->si);
@@ -95,7 +101,7 @@ namespace ompl_mfa
                 inputs_.use(next);
                 ASSERT_EQ(begin(), ob::PlannerStatus::EXACT_SOLUTION);
                 for (int k = 0; k < 5; ++k)
-                    query_.poll(inputs_, never_);
+                    query_.poll(inputs_);
                 EXPECT_EQ(query_.starts().size(), 2U);
                 EXPECT_EQ(query_.goals().size(), 2U);
                 EXPECT_TRUE(query_.goalsComplete());
@@ -111,7 +117,7 @@ namespace ompl_mfa
             pdef_->setGoal(goals);
             beginAgain();
             for (int k = 0; k < 5; ++k)
-                query_.poll(inputs_, never_);
+                query_.poll(inputs_);
             ASSERT_EQ(query_.goals().size(), 3U);
             goals->clear();
             for (const double y : {3.0, 1.0, 2.0})
@@ -133,7 +139,7 @@ namespace ompl_mfa
                 goals->addState(problem_->state({x, 1.0}));
             pdef_->setGoal(goals);
             beginAgain();
-            query_.poll(inputs_, never_);
+            query_.poll(inputs_);
             EXPECT_EQ(query_.goals().size(), 1U);
             EXPECT_TRUE(query_.goalsComplete()) << "those that are invalid cannot come any more";
         }
@@ -143,11 +149,11 @@ namespace ompl_mfa
             const double nan = std::numeric_limits<double>::quiet_NaN();
             pdef_->clearStartStates();
             pdef_->addStartState(problem_->state({1.0, nan}));
-            query_.reset(*pdef_);
+            ask();
             EXPECT_EQ(begin(), ob::PlannerStatus::INVALID_START);
             pdef_->addStartState(problem_->state({1.0, 1.0}));
             pdef_->setGoalState(problem_->state({nan, 1.0}));
-            query_.reset(*pdef_);
+            ask();
             EXPECT_EQ(begin(), ob::PlannerStatus::INVALID_GOAL);
         }
 
@@ -191,7 +197,7 @@ namespace ompl_mfa
                 pdef_->setGoal(region);
                 beginAgain();
                 for (int k = 0; k < 1000; ++k)
-                    query_.poll(inputs_, never_);
+                    query_.poll(inputs_);
                 EXPECT_EQ(query_.goals().size(), points);
                 EXPECT_GT(region->samples, points);
                 EXPECT_LT(region->samples, 100U) << "sampled ever more rarely";
@@ -216,7 +222,7 @@ namespace ompl_mfa
         {
             begin();
             pdef_->addStartState(problem_->state({2.0, 2.0}));
-            EXPECT_TRUE(query_.poll(inputs_, never_));
+            EXPECT_TRUE(query_.poll(inputs_));
             EXPECT_EQ(query_.starts().size(), 2U);
         }
 
@@ -226,52 +232,79 @@ namespace ompl_mfa
             for (const double y : {1.0, 2.0, 3.0})
                 goals->addState(problem_->state({9.0, y}));
             pdef_->setGoal(goals);
-            query_.reset(*pdef_);
+            ask();
             begin();
             EXPECT_FALSE(query_.goalsComplete());
             for (int i = 0; i < 5; ++i)
-                query_.poll(inputs_, never_);
+                query_.poll(inputs_);
             EXPECT_EQ(query_.goals().size(), 3U);
             EXPECT_TRUE(query_.goalsComplete());
             goals->addState(problem_->state({9.0, 4.0}));
             EXPECT_FALSE(query_.goalsComplete());
-            EXPECT_TRUE(query_.poll(inputs_, never_));
+            EXPECT_TRUE(query_.poll(inputs_));
             EXPECT_EQ(query_.goals().size(), 4U);
         }
 
-        TEST_F(QueryTest, AGoalThatOnlyKnowsADistanceIsSearchedFor)
+        TEST_F(QueryTest, GoalsThatOnlyTellDistancesHaveToBeHandedOver)
         {
+            EXPECT_FALSE(query_.needsGoalSearch());
             pdef_->setGoal(std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({9.0, 1.0}).get(), 0.5));
-            query_.reset(*pdef_);
+            ask();
+            EXPECT_TRUE(query_.needsGoalSearch());
             EXPECT_EQ(begin(), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_FALSE(query_.poll(inputs_));
             EXPECT_TRUE(query_.goals().empty());
             EXPECT_FALSE(query_.goalsComplete());
-            for (int i = 0; i < 1000 && query_.goals().empty(); ++i)
-                query_.poll(inputs_, never_);
-            ASSERT_FALSE(query_.goals().empty());
-            EXPECT_TRUE(pdef_->getGoal()->isSatisfied(query_.goals().front()));
+            EXPECT_TRUE(query_.addGoal(problem_->state({9.0, 1.25}).get()));
+            EXPECT_FALSE(query_.addGoal(problem_->state({9.0, 1.25}).get())) << "known";
+            EXPECT_FALSE(query_.addGoal(problem_->state({9.0, std::numeric_limits<double>::quiet_NaN()}).get()));
+            ASSERT_EQ(query_.goals().size(), 1U);
+            EXPECT_TRUE(problem_->si->equalStates(query_.goals()[0], problem_->state({9.0, 1.25}).get()));
+            EXPECT_FALSE(query_.goalsComplete()) << "more of them may be found";
+        }
+
+        TEST_F(QueryTest, AGoalThatWasHandedOverHasToSatisfyTheGoalStill)
+        {
+            const auto goal =
+                std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({9.0, 1.0}).get(), 0.5);
+            pdef_->setGoal(goal);
+            beginAgain();
+            query_.addGoal(problem_->state({9.0, 1.25}).get());
+            EXPECT_FALSE(query_.differsFrom(*pdef_));
+            goal->setThreshold(0.125);
+            EXPECT_TRUE(query_.differsFrom(*pdef_));
+        }
+
+        TEST_F(QueryTest, SomeThousandGoalsAreEnough)
+        {
+            pdef_->setGoal(std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({9.0, 5.0}).get(), 4.0));
+            beginAgain();
+            int taken = 0;
+            for (; !query_.hasEnoughGoals() && taken < 10000; ++taken)
+                ASSERT_TRUE(query_.addGoal(problem_->state({9.0, 2.0 + 0.0005 * taken}).get()));
+            EXPECT_GE(taken, 1000);
+            EXPECT_LT(taken, 10000);
         }
 
         TEST_F(QueryTest, SaysWhyItCannotBegin)
         {
             pdef_->clearStartStates();
             pdef_->addStartState(problem_->state({5.0, 1.0}));
-            query_.reset(*pdef_);
+            ask();
             EXPECT_EQ(begin(), ob::PlannerStatus::INVALID_START);
             pdef_->addStartState(problem_->state({1.0, 1.0}));
             pdef_->setGoalState(problem_->state({5.0, 1.0}));
-            query_.reset(*pdef_);
+            ask();
             EXPECT_EQ(begin(), ob::PlannerStatus::INVALID_GOAL);
         }
 
-        TEST_F(QueryTest, ResetForgetsAll)
+        TEST_F(QueryTest, KnowsNothingBeforeItIsAsked)
         {
-            begin();
-            query_.reset();
-            EXPECT_TRUE(query_.starts().empty());
-            EXPECT_TRUE(query_.goals().empty());
-            EXPECT_EQ(query_.goal(), nullptr);
-            EXPECT_TRUE(query_.differsFrom(*pdef_));
+            const Query query(problem_->si->getStateSpace());
+            EXPECT_TRUE(query.starts().empty());
+            EXPECT_TRUE(query.goals().empty());
+            EXPECT_EQ(query.goal(), nullptr);
+            EXPECT_TRUE(query.differsFrom(*pdef_));
         }
     }  // namespace
 }  // namespace ompl_mfa

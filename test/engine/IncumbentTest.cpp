@@ -1,7 +1,9 @@
 #include "engine/Incumbent.h"
 
+#include <atomic>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +26,6 @@ namespace ompl_mfa
         protected:
             IncumbentTest()
             {
-                incumbent_.reset(std::make_shared<ob::PathLengthOptimizationObjective>(si_));
                 path_.resize(3);
                 for (std::size_t i = 0; i < 3; ++i)
                     path_[i]->as<ob::RealVectorStateSpace::StateType>()->values[0] = static_cast<double>(i);
@@ -32,14 +33,21 @@ namespace ompl_mfa
 
             ob::StateSpacePtr space_ = test::realVectorSpace(1);
             ob::SpaceInformationPtr si_ = std::make_shared<ob::SpaceInformation>(space_);
-            Incumbent incumbent_{space_};
+            std::atomic<double> shown_{3.0};
+            Incumbent incumbent_{std::make_shared<ob::PathLengthOptimizationObjective>(si_), space_, shown_};
             Waypoints path_{space_};
         };
 
         TEST_F(IncumbentTest, KnowsNothingAtFirst)
         {
             EXPECT_FALSE(incumbent_.hasPath());
+            EXPECT_FALSE(incumbent_.hasFinitePath());
             EXPECT_EQ(incumbent_.cost(), NEVER);
+            EXPECT_EQ(shown_, NEVER);
+            EXPECT_EQ(incumbent_.bound(), NEVER);
+            EXPECT_EQ(incumbent_.improvements(), 0U);
+            EXPECT_EQ(incumbent_.origin(), std::nullopt);
+            EXPECT_TRUE(incumbent_.partialPath().empty());
             EXPECT_EQ(incumbent_.partialDistance(), NEVER);
             EXPECT_TRUE(incumbent_.improvedBy(1e300));
         }
@@ -54,14 +62,17 @@ namespace ompl_mfa
             EXPECT_TRUE(incumbent_.offer(path_, 4.0));
             EXPECT_EQ(incumbent_.path().size(), 2U);
             EXPECT_EQ(incumbent_.cost(), 4.0);
+            EXPECT_EQ(shown_, 4.0);
+            EXPECT_EQ(incumbent_.bound(), 4.0);
+            EXPECT_EQ(incumbent_.improvements(), 2U);
         }
 
         TEST_F(IncumbentTest, TheObjectiveSaysWhatIsBetter)
         {
-            incumbent_.reset(std::make_shared<ob::MaximizeMinClearanceObjective>(si_));
-            EXPECT_TRUE(incumbent_.offer(path_, 1.0));
-            EXPECT_TRUE(incumbent_.improvedBy(2.0));
-            EXPECT_FALSE(incumbent_.improvedBy(0.5));
+            Incumbent incumbent(std::make_shared<ob::MaximizeMinClearanceObjective>(si_), space_, shown_);
+            EXPECT_TRUE(incumbent.offer(path_, 1.0));
+            EXPECT_TRUE(incumbent.improvedBy(2.0));
+            EXPECT_FALSE(incumbent.improvedBy(0.5));
         }
 
         TEST_F(IncumbentTest, KeepsThePartialPathThatEndsNearest)
@@ -75,14 +86,34 @@ namespace ompl_mfa
             EXPECT_FALSE(incumbent_.hasPath());
         }
 
-        TEST_F(IncumbentTest, ResetForgetsBoth)
+        TEST_F(IncumbentTest, RemembersWhoFoundTheBestPath)
         {
-            incumbent_.offer(path_, 5.0);
-            incumbent_.offerPartial(path_, 1, path_[1], 3.0);
-            incumbent_.reset(nullptr);
-            EXPECT_FALSE(incumbent_.hasPath());
-            EXPECT_TRUE(incumbent_.partialPath().empty());
-            EXPECT_EQ(incumbent_.cost(), NEVER);
+            incumbent_.offer(path_, 5.0, PartKind::Trees);
+            EXPECT_EQ(incumbent_.origin(), PartKind::Trees);
+            incumbent_.offer(path_, 6.0, PartKind::Roadmap);
+            EXPECT_EQ(incumbent_.origin(), PartKind::Trees) << "a path that is not kept";
+            incumbent_.offer(path_, 4.0);
+            EXPECT_EQ(incumbent_.origin(), std::nullopt);
+        }
+
+        TEST_F(IncumbentTest, WhatBeatsAPathOfInfiniteCostIsAnyFiniteNumber)
+        {
+            incumbent_.offer(path_, NEVER);
+            EXPECT_TRUE(incumbent_.hasPath());
+            EXPECT_FALSE(incumbent_.hasFinitePath());
+            EXPECT_EQ(incumbent_.bound(), std::numeric_limits<double>::max());
+            EXPECT_TRUE(incumbent_.improvedBy(1e300));
+            Incumbent clearance(std::make_shared<ob::MaximizeMinClearanceObjective>(si_), space_, shown_);
+            clearance.offer(path_, -NEVER);
+            EXPECT_EQ(clearance.bound(), std::numeric_limits<double>::lowest());
+        }
+
+        TEST_F(IncumbentTest, TheGoalOfThePartialPathMayMove)
+        {
+            incumbent_.offerPartial(path_, 1, path_[1], 1.0);
+            EXPECT_FALSE(incumbent_.offerPartial(path_, 2, path_[2], 2.0));
+            incumbent_.setPartialDistance(3.0);
+            EXPECT_TRUE(incumbent_.offerPartial(path_, 2, path_[2], 2.0));
         }
     }  // namespace
 }  // namespace ompl_mfa

@@ -11,7 +11,7 @@
 #include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
-#include "ompl_mfa/planner/MFA.h"
+#include "engine/SearchProblem.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;
@@ -20,35 +20,32 @@ namespace ompl_mfa
 {
     namespace
     {
+        constexpr double ANY = std::numeric_limits<double>::infinity();
+
         /* A roadmap for the wall of PlanningProblem.h, with its query. */
-        class RoadmapGuideTest : public ::testing::Test
+        class RoadmapPartTest : public ::testing::Test
         {
         protected:
-            RoadmapGuideTest()
+            RoadmapPartTest()
             {
-                planner_.setProblemDefinition(problem_->pdef);
-                inputs_.use(problem_->pdef);
-                query_.reset(*problem_->pdef);
-                query_.begin(inputs_, ob::plannerNonTerminatingCondition(), chart_, problem_->si, 1);
+                EXPECT_EQ(search_.begin(), ob::PlannerStatus::EXACT_SOLUTION);
             }
 
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
-            MFA planner_{problem_->si};
-            StateChartPtr chart_ = std::make_shared<const StateChart>(problem_->si->getStateSpace());
-            PathEvaluator evaluator_{problem_->si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_->si)};
-            ob::PlannerInputStates inputs_;
-            Query query_{problem_->si->getStateSpace()};
+            test::SearchProblem search_{problem_->pdef};
+            PathEvaluator &evaluator_ = search_.evaluator();
+            const Query &query_ = search_.context.query;
             Waypoints path_{problem_->si->getStateSpace()};
         };
 
-        TEST_F(RoadmapGuideTest, FindsValidPathsAndBetterOnesAsItGrows)
+        TEST_F(RoadmapPartTest, FindsValidPathsAndBetterOnesAsItGrows)
         {
-            RoadmapGuide roadmap(&planner_, chart_, evaluator_, 5);
+            RoadmapPart roadmap(search_.context, false);
             double best = std::numeric_limits<double>::infinity();
             int found = 0;
             for (int turn = 0; turn < 400 && found < 4; ++turn)
             {
-                if (!roadmap.advance(query_, best, 5000, path_))
+                if (!roadmap.search(best, 5000, path_))
                     continue;
                 ++found;
                 EXPECT_TRUE(evaluator_.checkPath(path_));
@@ -59,31 +56,33 @@ namespace ompl_mfa
             EXPECT_EQ(found, 4);
         }
 
-        TEST_F(RoadmapGuideTest, StopsWithTheCondition)
+        TEST_F(RoadmapPartTest, StopsWithTheCondition)
         {
-            RoadmapGuide roadmap(&planner_, chart_, evaluator_, 5);
+            RoadmapPart roadmap(search_.context, false);
             evaluator_.setStopCondition([] { return true; });
-            EXPECT_FALSE(roadmap.advance(query_, std::numeric_limits<double>::infinity(), 1000000, path_));
+            EXPECT_FALSE(roadmap.search(ANY, 1000000, path_));
         }
 
-        TEST_F(RoadmapGuideTest, TheSeedDecidesThePath)
+        TEST_F(RoadmapPartTest, TheSeedDecidesThePath)
         {
             const auto firstCost = [this](std::uint_fast32_t seed)
             {
-                RoadmapGuide roadmap(&planner_, chart_, evaluator_, seed);
-                while (!roadmap.advance(query_, std::numeric_limits<double>::infinity(), 5000, path_))
+                test::SearchProblem search(problem_->pdef, seed);
+                search.begin();
+                RoadmapPart roadmap(search.context, false);
+                while (!roadmap.search(ANY, 5000, path_))
                 {
                 }
-                return evaluator_.cost(path_).value();
+                return search.evaluator().cost(path_).value();
             };
             EXPECT_EQ(firstCost(5), firstCost(5));
             EXPECT_NE(firstCost(5), firstCost(6));
         }
 
-        TEST_F(RoadmapGuideTest, ExplainsItsStatesAndTheMotionsThatItFoundValid)
+        TEST_F(RoadmapPartTest, ExplainsItsStatesAndTheMotionsThatItFoundValid)
         {
-            RoadmapGuide roadmap(&planner_, chart_, evaluator_, 5);
-            while (!roadmap.advance(query_, std::numeric_limits<double>::infinity(), 5000, path_))
+            RoadmapPart roadmap(search_.context, false);
+            while (!roadmap.search(ANY, 5000, path_))
             {
             }
             SearchGraph graph(problem_->si->getStateSpace());
@@ -116,22 +115,22 @@ namespace ompl_mfa
             int improvements{0};
         };
 
-        class RoadmapGrowthTest : public RoadmapGuideTest
+        class RoadmapGrowthTest : public RoadmapPartTest
         {
         protected:
-            std::size_t size(const RoadmapGuide &roadmap) const
+            std::size_t size(const RoadmapPart &roadmap) const
             {
                 SearchGraph graph(problem_->si->getStateSpace());
                 roadmap.explain(graph);
                 return graph.states.size();
             }
 
-            Growth grow(RoadmapGuide &roadmap, int turns)
+            Growth grow(RoadmapPart &roadmap, int turns)
             {
                 Growth growth;
                 for (int turn = 0; turn < turns; ++turn)
                 {
-                    if (roadmap.advance(query_, growth.best, 5000, path_))
+                    if (roadmap.search(growth.best, 5000, path_))
                     {
                         EXPECT_TRUE(evaluator_.checkPath(path_));
                         const double cost = evaluator_.cost(path_).value();
@@ -148,7 +147,7 @@ namespace ompl_mfa
         /* Of 10000 edges 600 states have all, k being 16 and more. */
         TEST_F(RoadmapGrowthTest, StaysWithinItsCapacityWhileThePathImproves)
         {
-            RoadmapGuide roadmap(&planner_, chart_, evaluator_, 5, 10000);
+            RoadmapPart roadmap(search_.context, false, 10000);
             const Growth first = grow(roadmap, 200);
             EXPECT_LT(first.largest, 700U);
             EXPECT_LT(first.best, 1.05 * test::wallOptimum());
@@ -161,12 +160,12 @@ namespace ompl_mfa
         /* States drawn before there was a bound, of which few are of use once it is near the optimum. */
         TEST_F(RoadmapGrowthTest, LosesWhatNoBetterPathCanLeadThrough)
         {
-            RoadmapGuide roadmap(&planner_, chart_, evaluator_, 5);
+            RoadmapPart roadmap(search_.context, false);
             while (size(roadmap) < 1500)
-                roadmap.advance(query_, std::numeric_limits<double>::infinity(), 5000, path_);
+                roadmap.search(ANY, 5000, path_);
             const double bound = test::wallOptimum() / 1.15;
             for (int turn = 0; turn < 200; ++turn)
-                roadmap.advance(query_, bound, 5000, path_);
+                roadmap.search(bound, 5000, path_);
             SearchGraph graph(problem_->si->getStateSpace());
             roadmap.explain(graph);
             const auto &space = *problem_->si->getStateSpace();
@@ -191,25 +190,22 @@ namespace ompl_mfa
             goals->addState(problem_->state({1.0, 9.5}));
             goals->addState(problem_->state({1.0, 0.5}));
             problem_->pdef->setGoal(goals);
-            inputs_.clear();
-            inputs_.use(problem_->pdef);
-            query_.reset(*problem_->pdef);
-            query_.begin(inputs_, ob::plannerNonTerminatingCondition(), chart_, problem_->si, 1);
-            while (query_.goals().size() < 2)
-                query_.poll(inputs_, ob::plannerNonTerminatingCondition());
-            RoadmapGuide roadmap(&planner_, chart_, evaluator_, 5);
+            test::SearchProblem search(problem_->pdef);
+            ASSERT_EQ(search.begin(), ob::PlannerStatus::EXACT_SOLUTION);
+            ASSERT_EQ(search.goals().size(), 2U);
+            RoadmapPart roadmap(search.context, false);
             while (size(roadmap) < 1000)
-                roadmap.advance(query_, std::numeric_limits<double>::infinity(), 5000, path_);
+                roadmap.search(ANY, 5000, path_);
             for (int turn = 0; turn < 200; ++turn)
-                roadmap.advance(query_, 4.6, 5000, path_);
+                roadmap.search(4.6, 5000, path_);
             SearchGraph graph(space);
             roadmap.explain(graph);
             std::vector<int> around(2, 0);
             for (std::size_t v = 0; v < graph.states.size(); ++v)
             {
                 for (std::size_t j = 0; j < 2; ++j)
-                    around[j] += space->distance(query_.starts()[0], graph.states[v]) +
-                                             space->distance(graph.states[v], query_.goals()[j]) <
+                    around[j] += space->distance(search.starts()[0], graph.states[v]) +
+                                             space->distance(graph.states[v], search.goals()[j]) <
                                          4.6
                                      ? 1
                                      : 0;
@@ -232,27 +228,28 @@ namespace ompl_mfa
             }
         };
 
-        TEST_F(RoadmapGuideTest, GoesOnFromAPathOfInfiniteCostToAFiniteOne)
+        TEST_F(RoadmapPartTest, GoesOnFromAPathOfInfiniteCostToAFiniteOne)
         {
-            const auto objective = std::make_shared<Forbidding>(problem_->si);
-            PathEvaluator evaluator(problem_->si, objective);
-            RoadmapGuide roadmap(&planner_, chart_, evaluator, 5);
+            test::SearchProblem search(problem_->pdef, 5, {}, std::make_shared<Forbidding>(problem_->si));
+            search.begin();
+            PathEvaluator &evaluator = search.evaluator();
+            RoadmapPart roadmap(search.context, false);
             double bound = std::numeric_limits<double>::infinity();
             double cost = bound;
             for (int turn = 0; turn < 400 && !std::isfinite(cost); ++turn)
             {
-                if (!roadmap.advance(query_, bound, 5000, path_))
+                if (!roadmap.search(bound, 5000, path_))
                     continue;
                 cost = evaluator.cost(path_).value();
                 bound = std::numeric_limits<double>::max();
             }
             EXPECT_TRUE(std::isfinite(cost));
             // also for a caller who asks for any path again and again
-            RoadmapGuide another(&planner_, chart_, evaluator, 5);
+            RoadmapPart another(search.context, false);
             cost = std::numeric_limits<double>::infinity();
             for (int turn = 0; turn < 400 && !std::isfinite(cost); ++turn)
             {
-                if (another.advance(query_, std::numeric_limits<double>::infinity(), 5000, path_))
+                if (another.search(ANY, 5000, path_))
                     cost = evaluator.cost(path_).value();
             }
             EXPECT_TRUE(std::isfinite(cost));

@@ -84,7 +84,7 @@ namespace ompl_mfa
                 if (window->found().empty())
                     continue;
                 ++found;
-                const Waypoints whole = window->withWay(window->found());
+                const Waypoints whole = window->pathWith(window->found());
                 const auto &space = problem_->si->getStateSpace();
                 EXPECT_TRUE(space->equalStates(whole[0], detour_[0]));
                 EXPECT_TRUE(space->equalStates(whole[1], detour_[1]));
@@ -100,8 +100,8 @@ namespace ompl_mfa
         TEST_P(WindowSwarmTest, ThePathWithItsOwnPartIsThePath)
         {
             const auto window = open(detour_, 1, 4, 3);
-            EXPECT_DOUBLE_EQ(window->cost().value(), window->part().length());
-            const Waypoints same = window->withWay(window->part());
+            EXPECT_DOUBLE_EQ(window->cost().value(), window->segment().length());
+            const Waypoints same = window->pathWith(window->segment());
             ASSERT_EQ(same.size(), detour_.size());
             for (std::size_t i = 0; i < same.size(); ++i)
                 EXPECT_TRUE(problem_->si->getStateSpace()->equalStates(same[i], detour_[i]));
@@ -129,7 +129,7 @@ namespace ompl_mfa
                 if (!window->recombine(200000))
                     continue;
                 ++found;
-                EXPECT_TRUE(evaluator_.checkPath(window->withWay(window->found())));
+                EXPECT_TRUE(evaluator_.checkPath(window->pathWith(window->found())));
             }
             EXPECT_GE(found, 5U);
         }

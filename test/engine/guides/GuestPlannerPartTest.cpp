@@ -131,7 +131,7 @@ namespace ompl_mfa
                 ASSERT_EQ(mfa->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
                 EXPECT_TRUE(problem_->path().check());
                 EXPECT_DOUBLE_EQ(problem_->path().length(), mfa->bestCost());
-                EXPECT_GT(mfa->shares().back(), 0.0);
+                EXPECT_GT(mfa->shares().at("guide planner"), 0.0);
             }
         }
 
@@ -141,16 +141,16 @@ namespace ompl_mfa
             mfa->solve(test::afterCalls(2000));
             mfa->setGuidePlanner(make<og::RRTConnect>);
             mfa->solve(test::afterCalls(2000));
-            EXPECT_EQ(mfa->shares().back(), 0.0);
+            EXPECT_EQ(mfa->shares().at("guide planner"), 0.0);
             problem_->pdef->setGoalState(problem_->state({9.0, 6.0}));
             mfa->solve(test::afterCalls(2000));
-            EXPECT_GT(mfa->shares().back(), 0.0);
+            EXPECT_GT(mfa->shares().at("guide planner"), 0.0);
             mfa->setGuidePlanner(nullptr);
             mfa->solve(test::afterCalls(2000));
-            EXPECT_GT(mfa->shares().back(), 0.0);
+            EXPECT_GT(mfa->shares().at("guide planner"), 0.0);
             mfa->clear();
             mfa->solve(test::afterCalls(2000));
-            EXPECT_EQ(mfa->shares().back(), 0.0);
+            EXPECT_EQ(mfa->shares().at("guide planner"), 0.0);
         }
 
         TEST_F(GuidePlanner, AQueryThatCouldNotBeginBeginsLater)
