@@ -1,0 +1,160 @@
+#include "engine/OptimalityProof.h"
+
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ompl/base/goals/GoalStates.h>
+
+#include "engine/SearchProblem.h"
+#include "planner/DistanceGoal.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        /* Twice the length, which no detour makes less; nobody but the tests knows that. */
+        class Double : public ob::PathLengthOptimizationObjective
+        {
+        public:
+            using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                return ob::Cost(2.0 * si_->distance(from, to));
+            }
+
+            ob::Cost motionCostHeuristic(const ob::State *from, const ob::State *to) const override
+            {
+                return motionCost(from, to);
+            }
+        };
+
+        /* Two halves of a motion cost half of what it costs itself; the inherited heuristic says otherwise. */
+        class Squared : public ob::PathLengthOptimizationObjective
+        {
+        public:
+            using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
+
+            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+            {
+                const double length = si_->distance(from, to);
+                return ob::Cost(length * length);
+            }
+
+            ob::Cost motionCostHeuristic(const ob::State *from, const ob::State *to) const override
+            {
+                return motionCost(from, to);
+            }
+        };
+
+        class OptimalityProofTest : public ::testing::Test
+        {
+        protected:
+            std::unique_ptr<test::SearchProblem> search(const ob::OptimizationObjectivePtr &objective = nullptr) const
+            {
+                auto result = std::make_unique<test::SearchProblem>(problem_->pdef, 5, SearchSettings(), objective);
+                EXPECT_EQ(result->begin(), ob::PlannerStatus::EXACT_SOLUTION);
+                return result;
+            }
+
+            void offer(test::SearchProblem &search, const std::vector<std::vector<double>> &states) const
+            {
+                Waypoints path(problem_->si->getStateSpace());
+                for (const auto &values : states)
+                    path.append(problem_->state(values).get());
+                ASSERT_TRUE(search.context.incumbent.offer(path, search.evaluator().cost(path).value()));
+            }
+
+            void setGoals(const std::vector<std::vector<double>> &states) const
+            {
+                const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
+                for (const auto &values : states)
+                    goals->addState(problem_->state(values));
+                problem_->pdef->setGoal(goals);
+            }
+
+            std::unique_ptr<test::PlanningProblem> problem_ = test::freeProblem();
+        };
+
+        TEST_F(OptimalityProofTest, TheStraightMotionIsTheShortestWay)
+        {
+            const auto searched = search();
+            OptimalityProof proof(searched->context);
+            offer(*searched, {{1.0, 1.0}, {5.0, 1.1}, {9.0, 1.0}});
+            EXPECT_FALSE(proof.holds());
+            offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
+            EXPECT_TRUE(proof.holds());
+        }
+
+        TEST_F(OptimalityProofTest, APathToTheFartherGoalIsNotTheBest)
+        {
+            setGoals({{9.0, 1.0}, {4.0, 1.0}});
+            const auto searched = search();
+            OptimalityProof proof(searched->context);
+            offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
+            EXPECT_FALSE(proof.holds());
+            offer(*searched, {{1.0, 1.0}, {4.0, 1.0}});
+            EXPECT_TRUE(proof.holds());
+        }
+
+        TEST_F(OptimalityProofTest, AGoalThatHasNotComeYetMayBeNearer)
+        {
+            setGoals({{9.0, 1.0}});
+            const auto searched = search();
+            OptimalityProof proof(searched->context);
+            offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
+            EXPECT_TRUE(proof.holds());
+            problem_->pdef->getGoal()->as<ob::GoalStates>()->addState(problem_->state({8.0, 1.0}));
+            EXPECT_FALSE(proof.holds()) << "it was not read yet";
+            searched->context.query.poll(searched->inputs);
+            ASSERT_EQ(searched->goals().size(), 2U);
+            EXPECT_FALSE(proof.holds()) << "a path to it is shorter";
+        }
+
+        TEST_F(OptimalityProofTest, GoalsThatHaveToBeSearchedForAreNeverComplete)
+        {
+            problem_->pdef->setGoal(
+                std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({9.0, 1.0}).get(), 0.5));
+            const auto searched = search();
+            searched->context.query.addGoal(problem_->state({9.0, 1.0}).get());
+            OptimalityProof proof(searched->context);
+            offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
+            EXPECT_FALSE(proof.holds());
+        }
+
+        TEST_F(OptimalityProofTest, AUsersHeuristicProvesItWhereNoDetourContradicts)
+        {
+            const auto searched = search(std::make_shared<Double>(problem_->si));
+            ASSERT_FALSE(searched->evaluator().bounds().certain());
+            OptimalityProof proof(searched->context);
+            offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
+            EXPECT_TRUE(proof.holds());
+        }
+
+        TEST_F(OptimalityProofTest, AUsersHeuristicProvesNothingWhereDetoursContradict)
+        {
+            const auto searched = search(std::make_shared<Squared>(problem_->si));
+            OptimalityProof proof(searched->context);
+            offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
+            ASSERT_TRUE(searched->evaluator().bounds().admissible()) << "one motion says nothing of detours";
+            EXPECT_FALSE(proof.holds());
+            EXPECT_FALSE(searched->evaluator().bounds().admissible());
+        }
+
+        TEST_F(OptimalityProofTest, TheStopConditionLeavesItOpenUntilTheNextCall)
+        {
+            const auto searched = search(std::make_shared<Double>(problem_->si));
+            OptimalityProof proof(searched->context);
+            offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
+            searched->evaluator().setStopCondition([] { return true; });
+            EXPECT_FALSE(proof.holds());
+            searched->evaluator().setStopCondition({});
+            EXPECT_TRUE(proof.holds());
+        }
+    }  // namespace
+}  // namespace ompl_mfa

@@ -1,0 +1,137 @@
+#include "engine/refinement/TighteningPart.h"
+
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/SearchProblem.h"
+#include "planner/PlanningProblem.h"
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa
+{
+    namespace
+    {
+        constexpr double ANY = std::numeric_limits<double>::infinity();
+
+        class TighteningPartTest : public ::testing::Test
+        {
+        protected:
+            TighteningPartTest()
+            {
+                EXPECT_EQ(search_.begin(), ob::PlannerStatus::EXACT_SOLUTION);
+            }
+
+            /* As the engine does with a path that another part found. */
+            Proposal offer(const Waypoints &path, Proposal::Stage stage)
+            {
+                Proposal proposal{path, search_.evaluator().cost(path), stage, PartKind::Trees};
+                EXPECT_TRUE(search_.context.incumbent.offer(path, proposal.cost->value(), proposal.origin));
+                part_.improved(proposal);
+                return proposal;
+            }
+
+            std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
+            test::SearchProblem search_{problem_->pdef};
+            TighteningPart part_{search_.context};
+            ob::StateSpacePtr space_ = problem_->si->getStateSpace();
+            Waypoints detour_ =
+                test::planarPath(space_, {{1.0, 1.0}, {2.0, 5.0}, {3.0, 8.5}, {7.0, 8.5}, {8.0, 4.0}, {9.0, 1.0}});
+            Findings findings_{space_};
+        };
+
+        TEST_F(TighteningPartTest, HasNothingToDoWithoutAPathThatCanBeBetter)
+        {
+            EXPECT_EQ(part_.readiness(), Readiness::Idle);
+            offer(detour_, Proposal::Stage::Raw);
+            EXPECT_EQ(part_.readiness(), Readiness::Ready);
+            offer(test::planarPath(space_, {{1.0, 1.0}, {9.0, 1.0}}), Proposal::Stage::Straight);
+            EXPECT_EQ(part_.readiness(), Readiness::Idle) << "one motion";
+        }
+
+        TEST_F(TighteningPartTest, ProposesTheBestPathTightenedAsThatOfWhoFoundIt)
+        {
+            offer(detour_, Proposal::Stage::Raw);
+            double best = search_.context.incumbent.cost();
+            for (int turn = 0; turn < 50; ++turn)
+            {
+                findings_.paths.clear();
+                part_.advance(2000, findings_);
+                for (Proposal &proposal : findings_.paths)
+                {
+                    EXPECT_EQ(proposal.stage, Proposal::Stage::Tight);
+                    EXPECT_EQ(proposal.origin, PartKind::Trees);
+                    ASSERT_TRUE(proposal.cost);
+                    EXPECT_NEAR(proposal.cost->value(), proposal.path.length(), 1e-9);
+                    EXPECT_LT(proposal.cost->value(), best);
+                    EXPECT_TRUE(search_.evaluator().checkPath(proposal.path));
+                    best = proposal.cost->value();
+                    search_.context.incumbent.offer(proposal.path, best, proposal.origin);
+                    part_.improved(proposal);
+                }
+            }
+            EXPECT_LT(best, 1.005 * test::wallOptimum());
+        }
+
+        TEST_F(TighteningPartTest, RefinesUntilThePathIsBetterThanItsRival)
+        {
+            const double before = detour_.length();
+            ob::Cost cost(before);
+            const double rival = 0.95 * before;
+            const Waypoints refined = part_.refine(detour_, cost, ob::Cost(rival));
+            EXPECT_LT(cost.value(), rival);
+            EXPECT_NEAR(cost.value(), refined.length(), 1e-9);
+            EXPECT_TRUE(search_.evaluator().checkPath(refined));
+            EXPECT_TRUE(space_->equalStates(refined.front(), detour_.front()));
+            EXPECT_TRUE(space_->equalStates(refined.back(), detour_.back()));
+        }
+
+        TEST_F(TighteningPartTest, GivesUpOnAPathThatCannotBeatItsRival)
+        {
+            ob::Cost cost(detour_.length());
+            const std::uint64_t before = search_.evaluator().work();
+            part_.refine(detour_, cost, ob::Cost(0.1));
+            const std::uint64_t given = search_.evaluator().work() - before;
+            EXPECT_GT(cost.value(), 0.1);
+            // 8 rounds of 3 checks of the path, some 600 states, at the most
+            EXPECT_LT(given, 20000U);
+        }
+
+        /* The next turn goes on with the path that refine() made, or with the raw one that became the best. */
+        TEST_F(TighteningPartTest, TurnsGoOnWithWhatBecameTheBestPath)
+        {
+            ob::Cost cost(detour_.length());
+            const Waypoints refined = part_.refine(detour_, cost, ob::Cost(ANY));
+            offer(refined, Proposal::Stage::Tight);
+            part_.advance(5000, findings_);
+            ASSERT_FALSE(findings_.paths.empty());
+            EXPECT_LT(findings_.paths.back().cost->value(), cost.value());
+            findings_.paths.clear();
+            // one on the other side of one of its own
+            const Waypoints other = test::planarPath(space_, {{1.0, 1.0}, {4.0, 6.2}, {6.0, 6.2}, {9.0, 1.0}});
+            ASSERT_LT(other.length(), cost.value());
+            offer(other, Proposal::Stage::Raw);
+            const double best = search_.context.incumbent.cost();
+            for (int turn = 0; turn < 20 && findings_.paths.empty(); ++turn)
+                part_.advance(2000, findings_);
+            ASSERT_FALSE(findings_.paths.empty());
+            EXPECT_LT(findings_.paths.back().cost->value(), best);
+        }
+
+        TEST_F(TighteningPartTest, StopsWithTheCondition)
+        {
+            offer(detour_, Proposal::Stage::Raw);
+            search_.evaluator().setStopCondition([] { return true; });
+            problem_->counted.forget();
+            part_.advance(100000, findings_);
+            ob::Cost cost(detour_.length());
+            part_.refine(detour_, cost, ob::Cost(0.1));
+            EXPECT_TRUE(findings_.paths.empty());
+            EXPECT_EQ(problem_->counted.states, 0U);
+        }
+    }  // namespace
+}  // namespace ompl_mfa
