@@ -8,8 +8,8 @@
 
 #include <sys/prctl.h>
 
-#include "text/NumberText.h"
 #include "OmplCompatibility.h"
+#include "text/NumberText.h"
 
 namespace ob = ompl::base;
 

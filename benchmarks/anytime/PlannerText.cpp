@@ -2,8 +2,8 @@
 
 #include <sstream>
 
-#include "ompl_mfa/InputError.h"
 #include "OmplCompatibility.h"
+#include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 
 namespace ompl_mfa::anytime

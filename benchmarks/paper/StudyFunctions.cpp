@@ -4,10 +4,10 @@
 #include <locale>
 #include <vector>
 
-#include "optimizer/TestFunction.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
+#include "optimizer/TestFunction.h"
 #include "paper/Contender.h"
 #include "paper/Study.h"
 

@@ -11,9 +11,9 @@
 #include <ompl/util/RandomNumbers.h>
 #include <CLI/CLI.hpp>
 
-#include "text/NearestName.h"
 #include "ompl_mfa/InputError.h"
 #include "paper/Study.h"
+#include "text/NearestName.h"
 
 namespace
 {

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa
 {

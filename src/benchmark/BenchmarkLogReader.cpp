@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa
 {

@@ -14,10 +14,10 @@
 
 #include <ompl/util/RandomNumbers.h>
 
-#include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "benchmark/CampaignProgress.h"
 #include "benchmark/FileNames.h"
+#include "ompl_mfa/InputError.h"
+#include "text/NumberText.h"
 
 namespace ob = ompl::base;
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <sstream>
 
+#include "benchmark/FileNames.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
-#include "benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 

@@ -8,11 +8,11 @@
 
 #include <boost/algorithm/string.hpp>
 
+#include "benchmark/FileNames.h"
+#include "collision/ResourceFolders.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
-#include "benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
-#include "collision/ResourceFolders.h"
 
 namespace ompl_mfa
 {

@@ -9,9 +9,9 @@
 #include <boost/locale/encoding_utf.hpp>
 
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/PlainText.h"
 #include "text/NearestName.h"
 #include "text/NumberText.h"
-#include "ompl_mfa/PlainText.h"
 
 namespace ompl_mfa
 {

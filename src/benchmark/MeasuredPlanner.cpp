@@ -11,8 +11,8 @@
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/String.h>
 
-#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/RunRecord.h"
+#include "text/NumberText.h"
 
 namespace ob = ompl::base;
 

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "text/NumberText.h"
 #include "benchmark/ProblemSpace.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa
 {

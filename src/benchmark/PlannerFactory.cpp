@@ -11,11 +11,11 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Console.h>
 
-#include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
-#include "ompl_mfa/PlainText.h"
 #include "benchmark/PlannerTable.h"
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/PlainText.h"
 #include "planner/RangedParam.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa
 {

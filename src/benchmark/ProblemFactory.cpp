@@ -14,13 +14,13 @@
 #include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "benchmark/NearbyState.h"
 #include "benchmark/ObjectiveFactory.h"
-#include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "benchmark/ProblemSpace.h"
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/collision/SceneLoader.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa
 {

@@ -15,8 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "text/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
+#include "text/CLocaleScope.h"
 
 using Json = nlohmann::json;
 

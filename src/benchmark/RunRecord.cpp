@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "text/CLocaleScope.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
+#include "text/CLocaleScope.h"
 
 using Json = nlohmann::json;
 

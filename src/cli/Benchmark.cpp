@@ -11,13 +11,13 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/FileNames.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "cli/NumberOption.h"
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/Campaign.h"
-#include "benchmark/FileNames.h"
+#include "text/NumberText.h"
 
 namespace
 {

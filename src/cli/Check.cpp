@@ -12,15 +12,15 @@
 
 #include <ompl/base/goals/GoalState.h>
 
+#include "benchmark/ProblemSpace.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
-#include "benchmark/ProblemSpace.h"
 #include "ompl_mfa/collision/PlanarOutline.h"
+#include "text/NumberText.h"
 
 namespace
 {

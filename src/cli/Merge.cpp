@@ -7,12 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/FileNames.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
-#include "benchmark/FileNames.h"
+#include "text/NumberText.h"
 
 namespace
 {

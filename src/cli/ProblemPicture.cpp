@@ -7,8 +7,8 @@
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 
-#include "cli/SvgFigure.h"
 #include "benchmark/ProblemSpace.h"
+#include "cli/SvgFigure.h"
 #include "ompl_mfa/collision/PlanarOutline.h"
 #include "ompl_mfa/collision/StatePlacement.h"
 

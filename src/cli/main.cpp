@@ -9,9 +9,9 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/Commands.h"
-#include "text/NearestName.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
+#include "text/NearestName.h"
 
 namespace
 {

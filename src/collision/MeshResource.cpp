@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "ompl_mfa/InputError.h"
 #include "collision/ResourceFolders.h"
+#include "ompl_mfa/InputError.h"
 
 namespace ompl_mfa::collision
 {

@@ -9,8 +9,8 @@
 #include <octomap/octomap.h>
 
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/collision/Scene.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa::collision
 {

@@ -8,14 +8,14 @@
 
 #include "collision/MeshResource.h"
 #include "collision/MoveItWorld.h"
+#include "collision/ResourceFolders.h"
 #include "collision/SceneWarnings.h"
 #include "collision/YamlFile.h"
 #include "collision/YamlShapes.h"
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/collision/OccupancyMap.h"
-#include "collision/ResourceFolders.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa::collision
 {

@@ -9,10 +9,10 @@
 #include "collision/MoveItWorld.h"
 #include "collision/SceneWarnings.h"
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/collision/PlanningScene.h"
 #include "ompl_mfa/collision/Primitive.h"
 #include "ompl_mfa/collision/TriangleMesh.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa::collision
 {

@@ -11,9 +11,9 @@
 #include <assimp/Importer.hpp>
 
 #include "collision/PlyFile.h"
-#include "text/CLocaleScope.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/collision/Scene.h"
+#include "text/CLocaleScope.h"
 
 namespace ompl_mfa::collision
 {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/collision/Scene.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa::collision
 {

@@ -31,8 +31,8 @@ namespace ompl_mfa
         Engine(const Engine &) = delete;
         Engine &operator=(const Engine &) = delete;
 
-        /** \brief Whether the search for this query can go on for \e pdef: it asks the same, the bounds of the space are
-            what they were, and what was found still holds. Goals change in place, and so do the validity checker's
+        /** \brief Whether the search for this query can go on for \e pdef: it asks the same, the bounds of the space
+           are what they were, and what was found still holds. Goals change in place, and so do the validity checker's
             answers; where the stop condition leaves no time to check, the path is taken as it was. */
         bool canContinue(const ompl::base::ProblemDefinition &pdef, const ompl::base::PlannerTerminationCondition &ptc);
 

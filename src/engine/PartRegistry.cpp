@@ -23,8 +23,7 @@ namespace ompl_mfa
         FireflyOptimizer::Settings fireflySettings(const SearchSettings &search, unsigned int population)
         {
             FireflyOptimizer::Settings settings;
-            settings.variant =
-                search.variant == "mfa" ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA;
+            settings.variant = search.variant == "mfa" ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA;
             settings.populationSize = search.populationSize != 0 ? search.populationSize : population;
             settings.generations = search.generations;
             settings.gamma = search.gamma;

@@ -36,7 +36,7 @@ namespace ompl_mfa
     struct Detour
     {
         Waypoints segment;
-        ompl::base::Cost cost;  ///< of segment
+        ompl::base::Cost cost;   ///< of segment
         ompl::base::Cost rival;  ///< cost of the segment to be replaced
         Waypoints path;
         std::size_t first;  ///< vertex of path where the segment begins

@@ -5,8 +5,8 @@
 
 namespace ompl_mfa
 {
-    /** \brief The parameters of a search with their defaults; mfaParameters() says what each means and accepts. A search
-        works on a copy that does not change. */
+    /** \brief The parameters of a search with their defaults; mfaParameters() says what each means and accepts. A
+       search works on a copy that does not change. */
     struct SearchSettings
     {
         std::string variant{"mfa"};

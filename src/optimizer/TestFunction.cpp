@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "text/NearestName.h"
 #include "ompl_mfa/InputError.h"
+#include "text/NearestName.h"
 
 namespace
 {
@@ -123,7 +123,7 @@ const std::vector<std::string> &ompl_mfa::TestFunction::names()
 }
 
 ompl_mfa::Brightness ompl_mfa::TestFunction::evaluate(const Eigen::Ref<const Eigen::VectorXd> &x,
-                                                           const Brightness * /*rival*/)
+                                                      const Brightness * /*rival*/)
 {
     const double result = value(x);
     return {0.0, maximised_ ? -result : result};

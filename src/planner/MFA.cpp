@@ -62,8 +62,7 @@ namespace ompl_mfa
             const auto member = parameter.member;
             using T = std::decay_t<decltype(settings.*member)>;
             params_.add(std::make_shared<RangedParam<T>>(
-                parameter.name, parameter.accepted,
-                [&settings, member](const T &value) { settings.*member = value; },
+                parameter.name, parameter.accepted, [&settings, member](const T &value) { settings.*member = value; },
                 [&settings, member] { return settings.*member; }));
         };
         for (const auto &parameter : mfaParameters())
@@ -115,8 +114,8 @@ namespace ompl_mfa
         prepareQuery(watched);
         const SearchContext &context = search.engine->context();
         search.publisher.begin(pdef_);
-        const auto status = search.engine->search(pis_, watched, [&]
-                                                  { search.publisher.publishIfDue(context, *this, search.lock); });
+        const auto status =
+            search.engine->search(pis_, watched, [&] { search.publisher.publishIfDue(context, *this, search.lock); });
         if (status != ob::PlannerStatus::EXACT_SOLUTION)
             return status;
         return search.publisher.finish(context, *this, search.lock);
@@ -137,8 +136,8 @@ namespace ompl_mfa
         const std::uint64_t seed = search.settings.seed != 0
                                        ? search.settings.seed
                                        : static_cast<std::uint64_t>(search.rng.uniformInt(1, 1 << 30));
-        search.engine = std::make_unique<Engine>(*this, search.chart, search.settings, seed, search.guidePlanner,
-                                                 search.progress);
+        search.engine =
+            std::make_unique<Engine>(*this, search.chart, search.settings, seed, search.guidePlanner, search.progress);
     }
 
     void MFA::getPlannerData(ob::PlannerData &data) const

@@ -19,8 +19,8 @@ namespace ompl_mfa
     class MFA::Implementation
     {
     public:
-        /** \brief Sets a parameter by its member; throws ompl::Exception naming \e planner, the parameter, the value and
-            what is accepted. */
+        /** \brief Sets a parameter by its member; throws ompl::Exception naming \e planner, the parameter, the value
+           and what is accepted. */
         template <typename T>
         void set(const MFA &planner, T SearchSettings::*member, const T &value);
 

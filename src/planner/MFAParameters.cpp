@@ -41,7 +41,8 @@ namespace ompl_mfa
             Word{"guide", &SearchSettings::guide, Words({"none", "trees", "roadmap", "both"}),
                  "planners beside the swarm that find ways which straight slices cannot express: trees that restart, "
                  "a roadmap that grows"},
-            Switch{"recombination", &SearchSettings::recombination, {}, "splices the paths of the swarm into better ones"},
+            Switch{
+                "recombination", &SearchSettings::recombination, {}, "splices the paths of the swarm into better ones"},
             Switch{"tightening",
                    &SearchSettings::tightening,
                    {},

@@ -13,8 +13,9 @@ namespace ompl_mfa
     {
         pdef_ = pdef;
         const auto solutions = pdef->getSolutions();
-        const bool has = std::any_of(solutions.begin(), solutions.end(), [this](const ob::PlannerSolution &solution)
-                                     { return solution.path_ == published_; });
+        const bool has =
+            std::any_of(solutions.begin(), solutions.end(),
+                        [this](const ob::PlannerSolution &solution) { return solution.path_ == published_; });
         if (has)
             return;
         published_.reset();

@@ -30,6 +30,14 @@ namespace
 std::string ompl_mfa::nearestName(const std::string &name, const std::vector<std::string> &known)
 {
     std::string nearest;
+    for (const auto &candidate : known)
+    {
+        if (!name.empty() && candidate.compare(0, name.size(), name) == 0 &&
+            (nearest.empty() || candidate.size() < nearest.size()))
+            nearest = candidate;
+    }
+    if (!nearest.empty())
+        return nearest;
     // farther than this, the guess is rather a distraction
     std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (const auto &candidate : known)

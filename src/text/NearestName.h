@@ -6,8 +6,8 @@
 
 namespace ompl_mfa
 {
-    /** \brief The entry of \e known with the least edit distance to \e name; empty where none is near: within a third
-        of the length of \e name, and at least within one edit. */
+    /** \brief The shortest entry of \e known that begins with \e name, or else the one with the least edit distance;
+        empty where none is near: within a third of the length of \e name, and at least within one edit. */
     std::string nearestName(const std::string &name, const std::vector<std::string> &known);
 
     /** \brief The one line for a name that does not exist: `unknown function 'sync'; did you mean 'sinc'? accepted:

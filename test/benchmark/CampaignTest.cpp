@@ -19,10 +19,10 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 
+#include "benchmark/CampaignProgress.h"
 #include "benchmark/InputErrorOf.h"
 #include "benchmark/PlanarProblem.h"
 #include "benchmark/TestPlanners.h"
-#include "benchmark/CampaignProgress.h"
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;

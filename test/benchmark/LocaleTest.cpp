@@ -8,11 +8,11 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 
 #include "ForeignLocale.h"
+#include "benchmark/CampaignProgress.h"
 #include "benchmark/InputErrorOf.h"
 #include "benchmark/PlanarProblem.h"
 #include "benchmark/TestPlanners.h"
 #include "ompl_mfa/benchmark/Campaign.h"
-#include "benchmark/CampaignProgress.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 

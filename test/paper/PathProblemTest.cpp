@@ -7,8 +7,8 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
-#include "ompl_mfa/optimizer/RandomSource.h"
 #include "engine/fireflies/SliceFrame.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
 #include "paper/Contender.h"
 #include "paper/StudyScenes.h"
 

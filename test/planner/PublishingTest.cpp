@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/PublishingSchedule.h"
 #include "planner/PlanningProblem.h"
+#include "planner/PublishingSchedule.h"
 
 namespace ob = ompl::base;
 

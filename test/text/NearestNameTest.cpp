@@ -13,6 +13,8 @@ TEST(NearestName, IsTheLeastEditedOne)
     EXPECT_EQ(ompl_mfa::nearestName("rrtconect", known), "rrtconnect");
     EXPECT_EQ(ompl_mfa::nearestName("prm*", known), "prm");
     EXPECT_EQ(ompl_mfa::nearestName("rttstar", known), "rrtstar");
+    EXPECT_EQ(ompl_mfa::nearestName("rrt", known), "rrtstar");
+    EXPECT_EQ(ompl_mfa::nearestName("", known), "");
     EXPECT_EQ(ompl_mfa::nearestName("zzzzzzzzzzzzzzzz", known), "");
 }
 

@@ -44,10 +44,10 @@ namespace ompl_mfa
             runs: it waits for the check at hand. */
         void getPlannerData(ompl::base::PlannerData &data) const override;
 
-        /** \name Parameters. What each means and accepts stands in docs/planner.md, and params() tells. A setter throws ompl::Exception
-            naming the parameter, the value and what is accepted, if it is not; a getter returns what was set last. A
-            search keeps the parameters that were set when it began: changes take effect with the first solve() after
-            clear(), or with the next query.
+        /** \name Parameters. What each means and accepts stands in docs/planner.md, and params() tells. A setter throws
+           ompl::Exception naming the parameter, the value and what is accepted, if it is not; a getter returns what was
+           set last. A search keeps the parameters that were set when it began: changes take effect with the first
+           solve() after clear(), or with the next query.
             @{ */
         void setVariant(const std::string &variant);
         std::string getVariant() const;

@@ -55,7 +55,8 @@ namespace ompl_mfa
         const SearchContext &search = context();
         // a path that tightening cannot make the best is of no use
         if (swarms_->options().bounded && swarms_->window() == nullptr)
-            swarm->setBound(search.evaluator().withSlack(search.incumbent.bound(), search.settings.tightening ? SLACK : 1.0));
+            swarm->setBound(
+                search.evaluator().withSlack(search.incumbent.bound(), search.settings.tightening ? SLACK : 1.0));
         if (swarms_->fly(work))
             swarms_->endGeneration(findings);
         proposeFirefly(findings);

@@ -32,7 +32,8 @@ namespace ompl_mfa
     Readiness RecombinationPart::readiness() const
     {
         const Swarm *swarm = swarms_->current();
-        if (swarm == nullptr || swarm->frame().slices() == 0 || swarm->fireflies().evaluations() == 0)
+        if (swarm == nullptr || swarms_->mustChoose() || swarm->frame().slices() == 0 ||
+            swarm->fireflies().evaluations() == 0)
             return Readiness::Idle;
         return guided_ && guidesFirst(context()) ? Readiness::Waiting : Readiness::Ready;
     }

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/fireflies/SliceFrame.h"
 #include "engine/graph/LazyGraph.h"
 #include "path/PathEvaluator.h"
-#include "engine/fireflies/SliceFrame.h"
 
 namespace ompl_mfa
 {

@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "ompl_mfa/optimizer/ObjectiveFunction.h"
-#include "path/PathEvaluator.h"
 #include "engine/fireflies/SliceFrame.h"
 #include "engine/fireflies/SliceModes.h"
+#include "ompl_mfa/optimizer/ObjectiveFunction.h"
+#include "path/PathEvaluator.h"
 
 namespace ompl_mfa
 {

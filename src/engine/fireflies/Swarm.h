@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <memory>
 
-#include "ompl_mfa/optimizer/FireflyOptimizer.h"
-#include "ompl_mfa/optimizer/RandomSource.h"
 #include "engine/fireflies/SliceFrame.h"
 #include "engine/fireflies/SliceGraph.h"
 #include "engine/fireflies/SliceModes.h"
 #include "engine/fireflies/SliceObjective.h"
+#include "ompl_mfa/optimizer/FireflyOptimizer.h"
+#include "ompl_mfa/optimizer/RandomSource.h"
 
 namespace ompl_mfa
 {

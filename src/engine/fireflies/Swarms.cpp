@@ -52,6 +52,8 @@ namespace ompl_mfa
     void Swarms::choose()
     {
         active_ = nullptr;
+        if (std::exchange(windowServed_, false))
+            window_.reset();
         layStraight();
         const bool windows = context_.incumbent.hasPath() && options_.windows;
         if (windows && (straight_.size() < 2 || chosen_++ % 2 == 0))
@@ -76,16 +78,15 @@ namespace ompl_mfa
                 return;
             if (context_.evaluator().stopped())
                 return pairs_.putBack();
-            SliceFrame frame =
-                SliceFrame::straight(context_.chart, context_.query.starts()[pair->first],
-                                     context_.query.goals()[pair->second], context_.settings.slices + 1);
+            SliceFrame frame = SliceFrame::straight(context_.chart, context_.query.starts()[pair->first],
+                                                    context_.query.goals()[pair->second], context_.settings.slices + 1);
             ++laid_;
             if (frame.dimension() > 0)
-                straight_.push_back(std::make_unique<Swarm>(
-                    std::move(frame), options_.coordinates, context_.evaluator(), options_.fireflies,
-                    streamSeed(context_.seed, Stream::Swarm, straight_.size()),
-                    [this](const Waypoints &path, const Brightness &brightness)
-                    { keepFirefly(path, brightness.cost); }));
+                straight_.push_back(std::make_unique<Swarm>(std::move(frame), options_.coordinates,
+                                                            context_.evaluator(), options_.fireflies,
+                                                            streamSeed(context_.seed, Stream::Swarm, straight_.size()),
+                                                            [this](const Waypoints &path, const Brightness &brightness)
+                                                            { keepFirefly(path, brightness.cost); }));
         }
     }
 
@@ -124,25 +125,25 @@ namespace ompl_mfa
         return completed;
     }
 
+    /* Where the window has found something, the next one waits for what becomes of that. */
     void Swarms::endGeneration(Findings &findings)
     {
-        if (window() != nullptr)
-            pursueWindow(findings);
-        choose_ = true;
+        if (window() == nullptr || !pursueWindow(findings))
+            choose();
     }
 
     /* What the fireflies of a window found is compared with the segment that is there, after tightening; then the
-       window has served. */
-    void Swarms::pursueWindow(Findings &findings)
+       window has served. Whether it has. */
+    bool Swarms::pursueWindow(Findings &findings)
     {
         PathEvaluator &evaluator = context_.evaluator();
         if (window_->found().empty() || evaluator.stopped())
-            return;
-        active_ = nullptr;
-        const std::unique_ptr<WindowSwarm> window = std::move(window_);
+            return false;
         // one that can be deformed into the segment that is there would only be tightened to that
-        if (!context_.settings.tightening || !seemDeformable(evaluator, window->found(), window->segment()))
-            findings.detours.push_back(window->detour(PartKind::Fireflies));
+        if (!context_.settings.tightening || !seemDeformable(evaluator, window_->found(), window_->segment()))
+            findings.detours.push_back(window_->detour(PartKind::Fireflies));
+        choose_ = windowServed_ = true;
+        return true;
     }
 
     void Swarms::keepFirefly(const Waypoints &path, double cost)

@@ -42,7 +42,13 @@ namespace ompl_mfa
             is a window too). Null where there is none. */
         Swarm *active();
 
-        /** \brief The active swarm, or null where none was chosen. */
+        /** \brief Whether the next call of active() chooses. */
+        bool mustChoose() const
+        {
+            return choose_;
+        }
+
+        /** \brief The active swarm, or the last one before the next is chosen; null where none was. */
         const Swarm *current() const
         {
             return active_;
@@ -55,8 +61,8 @@ namespace ompl_mfa
         /** \brief Advances the active swarm, which there is, by about \e work; true if a generation was completed. */
         bool fly(std::uint64_t work);
 
-        /** \brief To be called after a generation or recombination: what the window has found becomes a detour, and the
-            next call of active() chooses. */
+        /** \brief To be called after a generation or recombination: what the window has found becomes a detour, and
+            another swarm is chosen. */
         void endGeneration(Findings &findings);
 
         /** \brief The best valid firefly over a straight axis since the last call, with its cost; none if empty. */
@@ -72,19 +78,20 @@ namespace ompl_mfa
         void choose();
         void layStraight();
         void openWindow();
-        void pursueWindow(Findings &findings);
+        bool pursueWindow(Findings &findings);
         void keepFirefly(const Waypoints &path, double cost);
 
         const SearchContext &context_;
         Options options_;
         EndPairs pairs_;
-        std::size_t laid_{0};                         ///< pairs that were returned by pairs_
+        std::size_t laid_{0};  ///< pairs that were returned by pairs_
         std::vector<std::unique_ptr<Swarm>> straight_;
         std::unique_ptr<WindowSwarm> window_;
-        Swarm *active_{nullptr};  ///< the window's, or one of straight_
-        bool choose_{true};       ///< whether active_ is to be chosen again
-        std::size_t chosen_{0};   ///< how often, where windows and straight axes alternate
-        std::size_t windows_{0};  ///< opened so far
+        Swarm *active_{nullptr};    ///< the window's, or one of straight_
+        bool choose_{true};         ///< whether another is to be chosen before it goes on
+        bool windowServed_{false};  ///< whether window_ is kept only to be shown
+        std::size_t chosen_{0};     ///< how often, where windows and straight axes alternate
+        std::size_t windows_{0};    ///< opened so far
         RandomSource windowRandom_;
         Proposal firefly_;
     };

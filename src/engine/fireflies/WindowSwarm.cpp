@@ -52,8 +52,8 @@ namespace ompl_mfa
             return nullptr;
         const auto validSegment = [found = result.get()](const Waypoints &segment, const Brightness &brightness)
         { found->take(segment, brightness.cost); };
-        result->swarm_ =
-            std::make_unique<Swarm>(std::move(laid), Swarm::Coordinates::Modes, evaluator, settings, seed, validSegment);
+        result->swarm_ = std::make_unique<Swarm>(std::move(laid), Swarm::Coordinates::Modes, evaluator, settings, seed,
+                                                 validSegment);
         result->swarm_->setBound(result->bound_);
         result->swarm_->setStride(STRIDE);
         return result;

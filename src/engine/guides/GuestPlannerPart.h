@@ -11,8 +11,8 @@
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/goals/GoalStates.h>
 
-#include "path/PathEvaluator.h"
 #include "engine/guides/GuidePart.h"
+#include "path/PathEvaluator.h"
 
 namespace ompl_mfa
 {

@@ -14,9 +14,10 @@ namespace ompl_mfa
 
         void advance(std::uint64_t work, Findings &findings) final;
 
-        /** \brief Searches for about \e work units of PathEvaluator::work(). Returns true as soon as it has a path, then
-            in \e path, from one of the query's starts to one of its goals with all motions checked; the next call goes
-            on from there. \e bound is the cost that a path should beat in the end (infinite before there is one). */
+        /** \brief Searches for about \e work units of PathEvaluator::work(). Returns true as soon as it has a path,
+           then in \e path, from one of the query's starts to one of its goals with all motions checked; the next call
+           goes on from there. \e bound is the cost that a path should beat in the end (infinite before there is one).
+         */
         virtual bool search(double bound, std::uint64_t work, Waypoints &path) = 0;
     };
 }  // namespace ompl_mfa

@@ -7,11 +7,11 @@
 #include <ompl/base/StateSampler.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "engine/PairBounds.h"
+#include "engine/guides/HyperspheroidCache.h"
 #include "path/CostBounds.h"
 #include "path/StateChart.h"
 #include "path/Waypoints.h"
-#include "engine/guides/HyperspheroidCache.h"
-#include "engine/PairBounds.h"
 
 namespace ompl_mfa
 {

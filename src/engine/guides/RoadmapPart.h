@@ -9,10 +9,10 @@
 #include <ompl/datastructures/NearestNeighbors.h>
 
 #include "engine/graph/LazyGraph.h"
-#include "path/PathEvaluator.h"
-#include "path/StateChart.h"
 #include "engine/guides/GuidePart.h"
 #include "engine/guides/InformedSampler.h"
+#include "path/PathEvaluator.h"
+#include "path/StateChart.h"
 
 namespace ompl_mfa
 {

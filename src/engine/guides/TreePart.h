@@ -7,10 +7,10 @@
 #include <ompl/base/Planner.h>
 #include <ompl/datastructures/NearestNeighbors.h>
 
-#include "path/PathEvaluator.h"
-#include "path/StateChart.h"
 #include "engine/guides/GuidePart.h"
 #include "engine/guides/InformedSampler.h"
+#include "path/PathEvaluator.h"
+#include "path/StateChart.h"
 
 namespace ompl_mfa
 {

@@ -10,9 +10,9 @@
 
 #include <ompl/util/RandomNumbers.h>
 
+#include "engine/refinement/VertexSearch.h"
 #include "path/PathEvaluator.h"
 #include "path/StateChart.h"
-#include "engine/refinement/VertexSearch.h"
 #include "path/Waypoints.h"
 
 namespace ompl_mfa
