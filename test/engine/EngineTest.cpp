@@ -238,6 +238,19 @@ namespace ompl_mfa
             EXPECT_EQ(run(), run());
         }
 
+        TEST_F(EngineTest, FirefliesFlyWhereverAnEarlierSolveWasStopped)
+        {
+            SearchSettings settings = settingsOf(true, "none", false);
+            settings.populationSize = 10;
+            for (unsigned int calls = 1; calls <= 60; ++calls)
+            {
+                Search search(*problem_, settings);
+                search.runFor(calls);
+                search.runFor(3000);
+                EXPECT_GT(search.progress.iterations, 0U) << "stopped by call " << calls;
+            }
+        }
+
         TEST_F(EngineTest, GoesOnWithTheSameQueryOnly)
         {
             Search search(*problem_, settings_);

@@ -181,5 +181,21 @@ namespace ompl_mfa
                     EXPECT_TRUE(problem_->si->satisfiesBounds(state));
             }
         }
+
+        /* Also while one window has served and the next was not opened yet. */
+        TEST_P(Report, SlicesAreShownFromTheFirstSwarmOn)
+        {
+            bool shown = false;
+            unsigned int solves = 0;
+            for (unsigned int i = 0; i < 300; ++i)
+            {
+                planner_->solve(test::afterCalls(700));
+                const bool now = !planner_->getSlicePaths().empty();
+                EXPECT_TRUE(now || !shown) << "after solve() " << i;
+                shown = shown || now;
+                solves += shown ? 1 : 0;
+            }
+            EXPECT_GT(solves, 200U);
+        }
     }  // namespace
 }  // namespace ompl_mfa

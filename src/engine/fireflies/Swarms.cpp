@@ -34,7 +34,8 @@ namespace ompl_mfa
 
     Swarm *Swarms::active()
     {
-        if (std::exchange(choose_, false))
+        // where the stop condition left no time to lay one, there is none yet
+        if (std::exchange(choose_, false) || active_ == nullptr)
             choose();
         return active_;
     }
