@@ -4,26 +4,27 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "benchmark/FileNames.h"
 #include "cli/Commands.h"
+#include "cli/Figure.h"
 #include "cli/JsonDocument.h"
-#include "cli/NumberOption.h"
-#include "cli/SvgFigure.h"
-#include "ompl_mfa/InputError.h"
-#include "ompl_mfa/optimizer/FireflyOptimizer.h"
-#include "optimizer/TestFunction.h"
 #include "text/NearestName.h"
+#include "cli/NumberOption.h"
+#include "optimizer/TestFunction.h"
+#include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
+#include "benchmark/FileNames.h"
+#include "ompl_mfa/optimizer/FireflyOptimizer.h"
 
 using ompl_mfa::FireflyOptimizer;
+using ompl_mfa::cli::Axes;
 using ompl_mfa::TestFunction;
-using ompl_mfa::cli::SvgAxes;
 
 namespace
 {
@@ -92,7 +93,7 @@ namespace
     }
 
     /** \brief Where a grid over the axes crosses \e level: marching squares, the saddle taken as it comes. */
-    void addLevel(SvgAxes::Segments &segments, const Eigen::MatrixXd &values, const Eigen::Vector2d &lower,
+    void addLevel(Axes::Segments &segments, const Eigen::MatrixXd &values, const Eigen::Vector2d &lower,
                   const Eigen::Vector2d &cell, double level)
     {
         const auto corner = [&](Eigen::Index i, Eigen::Index j)
@@ -102,7 +103,7 @@ namespace
             for (Eigen::Index j = 0; j + 1 < values.cols(); ++j)
             {
                 const Eigen::Index around[5][2] = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}, {i, j}};
-                SvgAxes::Points crossings;
+                Axes::Points crossings;
                 for (int edge = 0; edge < 4; ++edge)
                 {
                     const auto *a = around[edge];
@@ -138,7 +139,7 @@ namespace
         return levels;
     }
 
-    SvgAxes::Segments contours(const TestFunction &function)
+    Axes::Segments contours(const TestFunction &function)
     {
         constexpr Eigen::Index GRID = 140;
         const Eigen::Vector2d lower = function.lower();
@@ -149,7 +150,7 @@ namespace
             for (Eigen::Index j = 0; j < GRID; ++j)
                 values(i, j) = function.value(lower + cell.cwiseProduct(Eigen::Vector2d(double(i), double(j))));
         }
-        SvgAxes::Segments segments;
+        Axes::Segments segments;
         for (const double level : contourLevels({values.data(), values.data() + values.size()}))
             addLevel(segments, values, lower, cell, level);
         return segments;
@@ -158,22 +159,21 @@ namespace
     void draw(const TestFunction &function, const std::vector<Result> &results, const std::string &file)
     {
         const auto lines = contours(function);
-        ompl_mfa::cli::SvgFigure figure;
+        ompl_mfa::cli::Figure figure;
         for (const auto &result : results)
         {
             const Run &run = result.runs[(result.runs.size() - 1) / 2];
             const std::string title = std::string(result.algorithm == "fa" ? "FA" : "MFA") + " on " + function.name() +
                                       ": " + ompl_mfa::fixedText(100.0 * run.shareNearOptimum, 0) +
                                       " % of the fireflies near the optimum";
-            SvgAxes axes(title, "x", "y", function.lower(), function.upper());
-            axes.setEqualAspect();
-            SvgAxes::Points fireflies;
+            Axes axes(title, "x", "y", function.lower(), function.upper());
+            Axes::Points fireflies;
             for (Eigen::Index i = 0; i < run.population.cols(); ++i)
                 fireflies.emplace_back(run.population.col(i));
-            axes.addSegments(lines, {"#8fa8bf", 0.8, "none", 1.0}, "contours of the function");
+            axes.addSegments(lines, {0x8fa8bf, 0.8, std::nullopt, 1.0}, "contours of the function");
             axes.addCircle(function.optimum(), 0.05 * (function.upper() - function.lower())[0],
-                           {"#1a7f37", 1.5, "none", 1.0}, "near the global optimum");
-            axes.addMarkers(fireflies, 3.5, {"#7a2d00", 0.6, "#f28e2b", 0.85}, "fireflies at the end, median run");
+                           {0x1a7f37, 1.5, std::nullopt, 1.0}, "near the global optimum");
+            axes.addMarkers(fireflies, 3.5, {0x7a2d00, 0.6, 0xf28e2b, 0.85}, "fireflies at the end, median run");
             figure.addAxes(axes);
         }
         figure.write(file);
@@ -225,6 +225,8 @@ namespace
             throw ompl_mfa::InputError("--picture with --dimension " + std::to_string(options.dimension) +
                                        " is not accepted; only 2 dimensions can be drawn");
         }
+        if (!options.picture.empty())
+            ompl_mfa::cli::pictureFormat(options.picture);
         std::vector<Result> results;
         for (const auto &algorithm : options.algorithms)
             results.push_back(runAlgorithm(function, options, algorithm));
@@ -270,7 +272,7 @@ void ompl_mfa::cli::addOptimizeCommand(CLI::App &app)
         ->default_str(numberText(settings.alpha));
     addNumberOption(*command, "--eta", settings.eta, "Attraction at distance 0, the paper's beta0")
         ->default_str(numberText(settings.eta));
-    command->add_option("--picture", options->picture, "Write the final populations to this SVG file");
+    command->add_option("--picture", options->picture, "Write the final populations to this .svg, .png or .pdf file");
     command->add_flag("--json", options->json, "Print one JSON document");
     command->callback([options] { optimize(*options); });
 }

@@ -17,18 +17,19 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "benchmark/FileNames.h"
+#include "cli/Canvas.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "cli/NumberOption.h"
 #include "cli/ProblemPicture.h"
 #include "ompl_mfa/InputError.h"
+#include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"
+#include "benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/MeasuredPlanner.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 #include "ompl_mfa/planner/MFA.h"
-#include "text/NumberText.h"
 
 namespace
 {
@@ -300,6 +301,8 @@ namespace
             throw ompl_mfa::InputError("--time " + ompl_mfa::numberText(options.time) + ": expected " + ACCEPTED_TIME);
         options.picture = ompl_mfa::writtenPath(options.picture, "--picture " + options.picture).string();
         options.path = ompl_mfa::writtenPath(options.path, "--path " + options.path).string();
+        if (!options.picture.empty())
+            ompl_mfa::cli::pictureFormat(options.picture);
         requireWritable("--picture", options.picture);
         requireWritable("--path", options.path);
         PlannerSpec spec = findSpec(factory.config(), options.planner);
@@ -340,7 +343,7 @@ void ompl_mfa::cli::addPlanCommand(CLI::App &app)
                         "exactly");
     command->add_option("--parameter", options->parameters, "NAME=VALUE of the planner, overriding the config");
     command->add_flag("--simplify", options->simplify, "Simplify the path as OMPL's SimpleSetup does");
-    command->add_option("--picture", options->picture, "Write an SVG picture of world and paths to this file");
+    command->add_option("--picture", options->picture, "Draw world and paths in this .svg, .png or .pdf file");
     command->add_option("--path", options->path, "Write the path to this file, a state a line");
     command->add_flag("--json", options->json, "Print one JSON document");
     command->callback([options, time, seed] { plan(*options, time->count() > 0, seed->count() > 0); });

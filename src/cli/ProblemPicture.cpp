@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 
+#include "cli/Figure.h"
 #include "benchmark/ProblemSpace.h"
-#include "cli/SvgFigure.h"
 #include "ompl_mfa/collision/PlanarOutline.h"
 #include "ompl_mfa/collision/StatePlacement.h"
 
@@ -20,14 +22,14 @@ namespace ompl_mfa::cli
         namespace og = ompl::geometric;
 
         constexpr unsigned int ROBOT_POSES = 14;
-        const SvgStyle OBSTACLE{"#5b6670", 0.6, "#aeb8c0", 1.0};
-        const SvgStyle OBSTACLE_SEEN_THROUGH{"#5b6670", 0.5, "#aeb8c0", 0.35};
-        const SvgStyle SLICE{"#9db8d2", 0.7, "none", 0.9};
-        const SvgStyle SWARM{"#e39a3b", 0.8, "none", 0.3};
-        const SvgStyle ROBOT{"#1f5fa8", 0.7, "#4f8fd0", 0.22};
-        const SvgStyle BEST{"#0b3c78", 2.4, "none", 1.0};
-        const SvgStyle START{"#12632b", 1.4, "#49b266", 0.55};
-        const SvgStyle GOAL{"#8c1d18", 1.4, "#e0605a", 0.55};
+        const Style OBSTACLE{0x5b6670, 0.6, 0xaeb8c0, 1.0};
+        const Style OBSTACLE_SEEN_THROUGH{0x5b6670, 0.5, 0xaeb8c0, 0.35};
+        const Style SLICE{0x9db8d2, 0.7, std::nullopt, 0.9};
+        const Style SWARM{0xe39a3b, 0.8, std::nullopt, 0.3};
+        const Style ROBOT{0x1f5fa8, 0.7, 0x4f8fd0, 0.22};
+        const Style BEST{0x0b3c78, 2.4, std::nullopt, 1.0};
+        const Style START{0x12632b, 1.4, 0x49b266, 0.55};
+        const Style GOAL{0x8c1d18, 1.4, 0xe0605a, 0.55};
 
         /* A direction of sight: the world is turned so that its picture lies in x and y. */
         struct View
@@ -67,32 +69,37 @@ namespace ompl_mfa::cli
               , view_(view)
               , axes_(makeAxes(title))
             {
-                axes_.setEqualAspect();
             }
 
-            const SvgAxes &paint(const PictureContent &content)
+            const Axes &paint(const PictureContent &content)
             {
                 for (const auto &object : problem_.world().objects())
-                    addOutlines(object, view_.turned, view_.seenThrough ? OBSTACLE_SEEN_THROUGH : OBSTACLE);
+                    addOutlines(object, view_.turned, view_.seenThrough ? OBSTACLE_SEEN_THROUGH : OBSTACLE,
+                                "obstacles");
                 addSlices(content.slices);
                 for (const auto &path : content.swarm)
                     axes_.addPolyline(positions(path), SWARM,
                                       &path == &content.swarm.front() ? "the swarm's paths" : "");
                 for (const auto &path : content.best)
                     addBest(path);
-                addRobot(setup_.getProblemDefinition()->getStartState(0), START);
+                addRobot(setup_.getProblemDefinition()->getStartState(0), START, "start");
                 addGoal();
                 return axes_;
             }
 
         private:
-            SvgAxes makeAxes(const std::string &title) const
+            /* Nobody but the world's author knows whether it is in metres. */
+            static std::string axisLabel(unsigned int axis)
+            {
+                return std::string(1, "xyz"[axis]) + " (world units)";
+            }
+
+            Axes makeAxes(const std::string &title) const
             {
                 const ob::RealVectorBounds bounds = positionBounds();
                 const Eigen::Vector2d lower(bounds.low[view_.horizontal], bounds.low[view_.vertical]);
                 const Eigen::Vector2d upper(bounds.high[view_.horizontal], bounds.high[view_.vertical]);
-                return SvgAxes(title, std::string(1, "xyz"[view_.horizontal]), std::string(1, "xyz"[view_.vertical]),
-                               lower, upper);
+                return Axes(title, axisLabel(view_.horizontal), axisLabel(view_.vertical), lower, upper);
             }
 
             ob::RealVectorBounds positionBounds() const
@@ -112,41 +119,55 @@ namespace ompl_mfa::cli
                 return view_.turned * placed;
             }
 
-            SvgAxes::Points positions(og::PathGeometric path) const
+            Axes::Points positions(og::PathGeometric path) const
             {
                 if (!placement_.interpolatesStraight())
                     path.interpolate();
-                SvgAxes::Points points;
+                Axes::Points points;
                 for (const auto *state : path.getStates())
                     points.emplace_back(pose(state).translation().head<2>());
                 return points;
             }
 
-            void addOutlines(collision::CollisionObject object, const fcl::Transform3d &turned, const SvgStyle &style)
+            /* The legend names the first shape that is drawn. */
+            void addOutlines(collision::CollisionObject object, const fcl::Transform3d &turned, const Style &style,
+                             const std::string &legend)
             {
                 object.pose = turned * object.pose;
                 for (const auto &polygon : collision::planarOutline(object, view_.zMin, view_.zMax))
-                    axes_.addPolygon(polygon, style);
+                    axes_.addPolygon(polygon, style, isInLegend(legend) ? "" : legend);
             }
 
-            void addRobot(const ob::State *state, const SvgStyle &style)
+            bool isInLegend(const std::string &words) const
+            {
+                return std::any_of(axes_.legend().begin(), axes_.legend().end(),
+                                   [&words](const auto &entry) { return entry.words == words; });
+            }
+
+            void addRobotOutlines(const fcl::Transform3d &placed, const Style &style, const std::string &legend)
+            {
+                for (const auto &shape : problem_.robot().shapes())
+                    addOutlines({"robot", shape.geometry, shape.pose}, placed, style, legend);
+            }
+
+            void addRobot(const ob::State *state, const Style &style, const std::string &legend)
             {
                 const fcl::Transform3d placed = pose(state);
-                for (const auto &shape : problem_.robot().shapes())
-                    addOutlines({"robot", shape.geometry, shape.pose}, placed, style);
-                axes_.addMarkers({placed.translation().head<2>()}, 3.0, {style.stroke, 1.0, style.stroke, 1.0});
+                addRobotOutlines(placed, style, legend);
+                axes_.addMarkers({placed.translation().head<2>()}, 3.0, {style.stroke, 1.0, style.stroke, 1.0},
+                                 isInLegend(legend) ? "" : legend);
             }
 
             void addGoal()
             {
                 const auto *goal = dynamic_cast<const ob::GoalState *>(setup_.getGoal().get());
                 if (goal)
-                    addRobot(goal->getState(), GOAL);
+                    addRobot(goal->getState(), GOAL, "goal");
             }
 
             void addSlices(const std::vector<og::PathGeometric> &slices)
             {
-                SvgAxes::Segments segments;
+                Axes::Segments segments;
                 for (const auto &slice : slices)
                 {
                     const Eigen::Vector2d from = pose(slice.getState(0)).translation().head<2>();
@@ -166,8 +187,7 @@ namespace ompl_mfa::cli
                 for (std::size_t i = step; i + step <= spaced.getStateCount(); i += step)
                 {
                     const fcl::Transform3d placed = pose(spaced.getState(static_cast<unsigned int>(i)));
-                    for (const auto &shape : problem_.robot().shapes())
-                        addOutlines({"robot", shape.geometry, shape.pose}, placed, ROBOT);
+                    addRobotOutlines(placed, ROBOT, "robot");
                 }
                 axes_.addPolyline(positions(path), BEST, "best path");
             }
@@ -176,14 +196,14 @@ namespace ompl_mfa::cli
             const og::SimpleSetup &setup_;
             collision::StatePlacement placement_;
             View view_;
-            SvgAxes axes_;
+            Axes axes_;
         };
     }  // namespace
 
     void drawProblem(const ProblemFactory &problem, const og::SimpleSetup &setup, const PictureContent &content,
                      const std::string &file)
     {
-        SvgFigure figure;
+        Figure figure;
         if (positionDimension(problem.config().problem.space) == 2)
             figure.addAxes(ViewPainter(problem, setup, planarView(problem), content.title).paint(content));
         else

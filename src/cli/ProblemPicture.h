@@ -23,10 +23,11 @@ namespace ompl_mfa::cli
         std::vector<ompl::geometric::PathGeometric> best;
     };
 
-    /** \brief Writes an SVG of the obstacles, the robot at start and goal and on its way, and \e content.
+    /** \brief Draws the obstacles, the robot at start and goal and on its way, and \e content.
 
         A planar problem is seen from above, with the part of the world at the robot's height; a spatial one from above
-        and from the side, with all of the world. Throws InputError if \e file cannot be written. */
+        and from the side, with all of the world. The
+        extension of \e file is its format. Throws InputError if it cannot be written, or as pictureFormat(). */
     void drawProblem(const ProblemFactory &problem, const ompl::geometric::SimpleSetup &setup,
                      const PictureContent &content, const std::string &file);
 }  // namespace ompl_mfa::cli

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/PdfText.h"
 #include "cli/RunProgram.h"
 
 namespace
@@ -64,13 +65,17 @@ TEST(Optimize, drawsAPanelForEachAlgorithm)
     EXPECT_EQ(runProgram("optimize --runs 3 --picture '" + file + "'").status, 0);
     const std::string svg = readFile(file);
     std::remove(file.c_str());
-    EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
-    for (const std::string word : {">FA on sinc", ">MFA on sinc", ">fireflies at the end", "</svg>"})
-        EXPECT_NE(svg.find(word), std::string::npos) << word;
+    const std::string fill = "fill:rgb(94.901961%,55.686275%,16.862745%)";
     std::size_t circles = 0;
-    for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1))
+    for (std::size_t at = svg.find(fill); at != std::string::npos; at = svg.find(fill, at + 1))
         ++circles;
     EXPECT_GE(circles, 200U) << "every firefly of both algorithms";
+    const std::string pdf = temporaryFile("populations.pdf");
+    EXPECT_EQ(runProgram("optimize --runs 3 --picture '" + pdf + "'").status, 0);
+    const std::string text = pdfText(pdf);
+    std::remove(pdf.c_str());
+    for (const std::string word : {"FA on sinc: ", "MFA on sinc: ", "fireflies at the end", "near the global optimum"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
 }
 
 TEST(Optimize, refusesWhatItCannotUse)
@@ -85,6 +90,7 @@ TEST(Optimize, refusesWhatItCannotUse)
     expectBadInput("optimize --population 3", {"populationSize", "3", "at least 4"});
     expectBadInput("optimize --dimension 1 --function rosenbrock", {"dimension", "rosenbrock", "at least 2"});
     expectBadInput("optimize --dimension 3 --picture x.svg", {"--picture", "3", "2 dimensions"});
+    expectBadInput("optimize --runs 1000000 --picture x.jpg", {"x.jpg", ".svg, .png or .pdf"});
     expectBadInput("optimize --runs 1 --picture /no/such/folder/x.svg", {"/no/such/folder/x.svg"});
 }
 

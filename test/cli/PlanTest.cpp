@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/ConfigFixture.h"
+#include "cli/PdfText.h"
 
 namespace
 {
@@ -81,22 +82,58 @@ TEST_F(Plan, writesThePathThatItPrints)
 
 TEST_F(Plan, drawsTheProblemAndItsPath)
 {
-    ASSERT_EQ(runProgram("plan " + config() + " --planner mfa --picture " + path("out.svg")).status, 0);
-    const std::string svg = readFile(path("out.svg"));
-    for (const std::string word : {"<svg ", ">a, MFA, cost ", ">best path<", ">slices<", "</svg>"})
-        EXPECT_NE(svg.find(word), std::string::npos) << word;
-    // the paper's swarm is there to the end; those of windows come and go
-    ASSERT_EQ(runProgram("plan " + config() + " --planner mfa_paper --picture " + path("out.svg")).status, 0);
-    EXPECT_NE(readFile(path("out.svg")).find(">the swarm"), std::string::npos);
+    ASSERT_EQ(runProgram("plan " + config() + " --planner mfa --picture " + path("out.pdf")).status, 0);
+    std::string text = pdfText(path("out.pdf"));
+    for (const std::string word :
+         {"a, MFA, cost 9.6", "obstacles", "best path", "robot", "start", "goal", "x (world units)", "y (world units)"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+    // the paper's swarm and its slices are there to the end; those of windows come and go
+    ASSERT_EQ(runProgram("plan " + config() + " --planner mfa_paper --picture " + path("out.pdf")).status, 0);
+    text = pdfText(path("out.pdf"));
+    for (const std::string word : {"slices", "the swarm's paths"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+}
+
+TEST_F(Plan, drawsStartAndGoalOfAPointInTheLegendToo)
+{
+    const std::string file = OMPL_MFA_SOURCE_DIR "/benchmarks/configs/circle_field.cfg";
+    runProgram("plan '" + file + "' --planner rrtconnect --time 5 --picture " + path("out.pdf"));
+    const std::string text = pdfText(path("out.pdf"));
+    for (const std::string word : {"start", "goal", "obstacles", "best path"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+    EXPECT_EQ(text.find("robot"), std::string::npos) << text;
+}
+
+TEST_F(Plan, drawsInTheFormatOfTheExtension)
+{
+    const std::string command = "plan " + config() + " --planner mfa_paper --iterations 2000 --time 60 --picture ";
+    for (const char *name : {"a.svg", "b.svg", "a.PNG", "b.PNG", "a.pdf", "b.pdf"})
+        ASSERT_EQ(runProgram(command + path(name)).status, 0) << name;
+    const std::string svg = readFile(path("a.svg"));
+    EXPECT_EQ(svg.rfind("<?xml", 0), 0U);
+    // the wall from (4.5, 1) to (5.5, 5) in axes of 48 pixels a unit from (62, 36)
+    EXPECT_NE(svg.find("L 278 276 "), std::string::npos);
+    EXPECT_NE(svg.find("L 326 468 "), std::string::npos);
+    EXPECT_NE(svg.find("stroke:rgb(4.313725%,23.529412%,47.058824%)"), std::string::npos) << "the best path";
+    EXPECT_NE(svg.find("stroke:rgb(89.019608%,60.392157%,23.137255%);stroke-opacity:0.3"), std::string::npos)
+        << "the swarm";
+    EXPECT_NE(svg.find("</svg>"), std::string::npos);
+    EXPECT_EQ(readFile(path("a.PNG")).rfind("\x89PNG\r\n\x1a\n", 0), 0U);
+    EXPECT_EQ(readFile(path("a.pdf")).rfind("%PDF-", 0), 0U);
+    for (const char *extension : {".svg", ".PNG", ".pdf"})
+    {
+        EXPECT_TRUE(readFile(path(std::string("a") + extension)) == readFile(path(std::string("b") + extension)))
+            << extension << ": the same run is the same picture";
+    }
 }
 
 TEST_F(Plan, drawsASpatialProblemFromTwoSides)
 {
     const std::string file = OMPL_MFA_SOURCE_DIR "/benchmarks/configs/asteroids.cfg";
-    runProgram("plan '" + file + "' --planner rrtconnect --time 5 --picture " + path("out.svg"));
-    const std::string svg = readFile(path("out.svg"));
-    for (const std::string word : {", from above<", ", from the side<", ">z<"})
-        EXPECT_NE(svg.find(word), std::string::npos) << word;
+    runProgram("plan '" + file + "' --planner rrtconnect --time 5 --picture " + path("out.pdf"));
+    const std::string text = pdfText(path("out.pdf"));
+    for (const std::string word : {", from above", ", from the side", "z (world units)"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
 }
 
 TEST_F(Plan, plansThePapersScene)
@@ -182,7 +219,13 @@ TEST_F(Plan, refusesWhatItCannotUse)
     for (const char *time : {"-1", "0", "nan", "inf", "1e10", "x"})
         expectBadInput("plan " + file + " --time " + time, {"--time"});
     expectBadInput("plan " + file + " --picture /no/such/folder/a.svg --time 1000", {"/no/such/folder/a.svg"});
-    expectBadInput("plan " + file + " --picture / --time 1000", {"--picture /:"});
+    std::filesystem::create_directory(path("folder.svg"));
+    expectBadInput("plan " + file + " --picture " + path("folder.svg") + " --time 1000", {"folder.svg:"});
+    for (const char *name : {"a.jpg", "a", "a.svg.gz"})
+        expectBadInput("plan " + file + " --picture " + path(name) + " --time 1000", {name, ".svg, .png or .pdf"});
+    // it can be opened, but not be written to
+    std::filesystem::create_symlink("/dev/full", path("full.png"));
+    expectBadInput("plan " + file + " --picture " + path("full.png") + " --planner rrtconnect", {"full.png"});
     expectBadInput("plan " + file + " --path /no/such/folder/a.path --planner rrtconnect", {"/no/such/folder/a.path"});
     expectBadInput("plan " + path("none.cfg"), {"none.cfg"});
 }

@@ -1,0 +1,84 @@
+#ifndef OMPL_MFA_CLI_CANVAS_
+#define OMPL_MFA_CLI_CANVAS_
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace ompl_mfa::cli
+{
+    enum class PictureFormat
+    {
+        SVG,
+        PNG,
+        PDF
+    };
+
+    /** \brief The format that the extension of \e file names: `.svg`, `.png` or `.pdf`, in upper or lower case.
+        Throws InputError for any other. */
+    PictureFormat pictureFormat(const std::string &file);
+
+    /** \brief How a shape is drawn: colours as 0xRRGGBB, the width in pixels, the opacity from 0 to 1. */
+    struct Style
+    {
+        unsigned int stroke{0x222222};
+        double strokeWidth{1.0};
+        std::optional<unsigned int> fill;
+        double opacity{1.0};
+    };
+
+    /** \brief Which part of a text lies at its position. */
+    enum class Anchor
+    {
+        Start,
+        Middle,
+        End
+    };
+
+    /** \brief Pixels that \e words of \e size pixels take, in every format. */
+    double textWidth(const std::string &words, double size);
+
+    /** \brief A white sheet to draw on, with x to the right and y downwards. An SVG and an image have pixels, a PDF
+        has points in their place; an image has two of its own pixels for one here. */
+    class Canvas
+    {
+    public:
+        using Points = std::vector<Eigen::Vector2d>;
+
+        Canvas(PictureFormat format, const Eigen::Vector2d &size);
+        ~Canvas();
+
+        Canvas(const Canvas &) = delete;
+        Canvas &operator=(const Canvas &) = delete;
+
+        /** \brief Until clearClip(), nothing is drawn outside of this rectangle. */
+        void setClip(const Eigen::Vector2d &corner, const Eigen::Vector2d &size);
+        void clearClip();
+
+        /** \brief Open lines as one shape: where they cross, the opacity is that of one. */
+        void drawLines(const std::vector<Points> &lines, const Style &style);
+        void drawPolygon(const Points &corners, const Style &style);
+        void drawCircle(const Eigen::Vector2d &center, double radius, const Style &style);
+
+        /** \brief One line of text whose baseline is at \e at; \e upwards it is turned to run from below to above. What
+            is not UTF-8 is left out. */
+        void drawText(const std::string &words, const Eigen::Vector2d &at, double size, Anchor anchor,
+                      bool upwards = false);
+
+        /** \brief The content of the file. Nothing can be drawn afterwards.
+            Throws std::runtime_error where cairo failed. */
+        std::string finish();
+
+    private:
+        struct Sheet;
+
+        void paint(const Style &style);
+
+        std::unique_ptr<Sheet> sheet_;
+    };
+}  // namespace ompl_mfa::cli
+
+#endif

@@ -1,0 +1,127 @@
+#ifndef OMPL_MFA_CLI_FIGURE_
+#define OMPL_MFA_CLI_FIGURE_
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cli/Canvas.h"
+
+namespace ompl_mfa::cli
+{
+    /** \brief An entry of a legend: its words, and the shape and style that they explain. */
+    struct LegendEntry
+    {
+        enum class Key
+        {
+            Line,
+            Patch,
+            Dot
+        };
+
+        std::string words;
+        Key key;
+        Style style;
+    };
+
+    /** \brief One plot with its axes, ticks and title; everything is given in the axes' own units and clipped to them.
+        One unit of x is as long as one of y. Shapes drawn later lie above. */
+    class Axes
+    {
+    public:
+        using Points = Canvas::Points;
+        using Segments = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
+
+        /** \brief Labels carry the unit, as in `x (m)`. The ranges must not be empty: throws std::invalid_argument. */
+        Axes(std::string title, std::string xLabel, std::string yLabel, const Eigen::Vector2d &lower,
+             const Eigen::Vector2d &upper);
+
+        /** \brief Each adds a legend entry unless \e legend is empty. */
+        void addPolyline(const Points &points, const Style &style, const std::string &legend = "");
+        void addPolygon(const Points &points, const Style &style, const std::string &legend = "");
+        void addSegments(const Segments &segments, const Style &style, const std::string &legend = "");
+
+        /** \brief A disc of \e radius in units of the axes. */
+        void addCircle(const Eigen::Vector2d &center, double radius, const Style &style,
+                       const std::string &legend = "");
+
+        /** \brief Dots of \e radius pixels. */
+        void addMarkers(const Points &points, double radius, const Style &style, const std::string &legend = "");
+
+        const std::vector<LegendEntry> &legend() const;
+
+    private:
+        friend class Figure;
+
+        enum class Kind
+        {
+            Lines,
+            Polygon,
+            Circle,
+            Markers
+        };
+
+        struct Shape
+        {
+            Kind kind;
+            std::vector<Points> points;
+            double radius;
+            Style style;
+        };
+
+        struct Tick
+        {
+            double value;
+            std::string label;
+        };
+
+        /** \brief Where everything lies in a panel, in pixels from its upper left corner. */
+        struct Layout
+        {
+            Eigen::Vector2d corner;
+            Eigen::Vector2d size;
+            std::vector<Tick> xTicks;
+            std::vector<Tick> yTicks;
+            double yLabelX;
+            double center;
+            std::vector<std::string> titleLines;
+            double bodyHeight;
+        };
+
+        Layout layOut(double width) const;
+        void draw(Canvas &canvas, const Layout &layout) const;
+        void drawShape(Canvas &canvas, const Shape &shape, const Layout &layout) const;
+        void drawTicks(Canvas &canvas, const Layout &layout) const;
+        Eigen::Vector2d toPixels(const Eigen::Vector2d &point, const Layout &layout) const;
+        static std::vector<Tick> placeTicks(double lower, double upper, double pixels, bool horizontal);
+
+        std::string title_;
+        std::string xLabel_;
+        std::string yLabel_;
+        Eigen::Vector2d lower_;
+        Eigen::Vector2d upper_;
+        std::vector<Shape> shapes_;
+        std::vector<LegendEntry> legend_;
+    };
+
+    /** \brief A picture with one or more plots side by side and one legend below them, in which equal words stand
+        once. */
+    class Figure
+    {
+    public:
+        void addAxes(const Axes &axes);
+
+        /** \brief The content of a file of this format; the same for the same figure, in any locale. */
+        std::string render(PictureFormat format) const;
+
+        /** \brief Throws InputError if \e file cannot be written, or as pictureFormat(). */
+        void write(const std::string &file) const;
+
+    private:
+        std::vector<Axes> axes_;
+    };
+}  // namespace ompl_mfa::cli
+
+#endif
