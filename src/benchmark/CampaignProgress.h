@@ -1,3 +1,39 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_BENCHMARK_CAMPAIGN_PROGRESS_
 #define OMPL_MFA_BENCHMARK_CAMPAIGN_PROGRESS_
 
@@ -5,12 +41,13 @@
 #include <map>
 #include <string>
 
+#include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/RunRecord.h"
 
 namespace ompl_mfa
 {
     /** \brief Shows how far a campaign is: a bar that is overwritten on a terminal, else one line a run. */
-    class CampaignProgress
+    class OMPL_MFA_EXPORT CampaignProgress
     {
     public:
         /** \brief \e total runs, of which \e done need not be made. \e out may be null. */
@@ -37,10 +74,10 @@ namespace ompl_mfa
     };
 
     /** \brief "3 s", "2:05" or "1:02:05". */
-    std::string formatDuration(double seconds);
+    OMPL_MFA_EXPORT std::string formatDuration(double seconds);
 
     /** \brief How a run ended, in words: "exact solution, cost 12.3", "killed at its time limit", "signal 11 (...)". */
-    std::string describeRun(const RunRecord &record);
+    OMPL_MFA_EXPORT std::string describeRun(const RunRecord &record);
 }  // namespace ompl_mfa
 
 #endif

@@ -1,8 +1,46 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_BENCHMARK_FILE_NAMES_
 #define OMPL_MFA_BENCHMARK_FILE_NAMES_
 
 #include <filesystem>
 #include <string>
+
+#include "ompl_mfa/Export.h"
 
 namespace ompl_mfa
 {
@@ -12,19 +50,19 @@ namespace ompl_mfa
 
     /** \brief \e name as part of a file's name: `/`, `%` and control characters as `%` and two hexadecimal digits, so
         that no two names become the same and none is a folder. */
-    std::string fileNamePart(const std::string &name);
+    OMPL_MFA_EXPORT std::string fileNamePart(const std::string &name);
 
     /** \brief Whether \e text holds a control character: a byte below 32, or 127. */
-    bool hasControlCharacter(const std::string &text);
+    OMPL_MFA_EXPORT bool hasControlCharacter(const std::string &text);
 
     /** \brief Whether \e name can be a file's name as it is: neither empty nor `.` nor `..`, of at most LONGEST_NAME
         bytes, without `/` and control characters. */
-    bool isFileName(const std::string &name);
+    OMPL_MFA_EXPORT bool isFileName(const std::string &name);
 
     /** \brief The path that a user wrote: `~` and `~/...` are in the folder that the environment variable HOME names,
         as in a shell. Throws InputError "\e origin: ..." for a control character, for `~NAME`, for a folder that is
         called `~`, and where HOME is needed and not set. */
-    std::filesystem::path writtenPath(const std::string &path, const std::string &origin);
+    OMPL_MFA_EXPORT std::filesystem::path writtenPath(const std::string &path, const std::string &origin);
 }  // namespace ompl_mfa
 
 #endif

@@ -1,3 +1,39 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_BENCHMARK_PROBLEM_SPACE_
 #define OMPL_MFA_BENCHMARK_PROBLEM_SPACE_
 
@@ -7,25 +43,27 @@
 #include <ompl/base/StateSpace.h>
 #include <ompl/base/spaces/RealVectorBounds.h>
 
+#include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
 
 namespace ompl_mfa
 {
     /** \brief 2 or 3: the dimension of the positions in \e kind. */
-    unsigned int positionDimension(StateSpaceKind kind);
+    OMPL_MFA_EXPORT unsigned int positionDimension(StateSpaceKind kind);
 
     /** \brief The name that people give to \e kind, such as `SE(2)`. */
-    std::string spaceName(StateSpaceKind kind);
+    OMPL_MFA_EXPORT std::string spaceName(StateSpaceKind kind);
 
     /** \brief The state space of \e problem with \e bounds for its positions. */
-    ompl::base::StateSpacePtr makeStateSpace(const ProblemConfig &problem, const ompl::base::RealVectorBounds &bounds);
+    OMPL_MFA_EXPORT ompl::base::StateSpacePtr makeStateSpace(const ProblemConfig &problem,
+                                                             const ompl::base::RealVectorBounds &bounds);
 
     /** \brief \e pose as a state of \e space, a space of \e kind, its rotation normalised. */
-    ompl::base::ScopedState<> makeState(const ompl::base::StateSpacePtr &space, StateSpaceKind kind,
-                                        const ConfigPose &pose);
+    OMPL_MFA_EXPORT ompl::base::ScopedState<> makeState(const ompl::base::StateSpacePtr &space, StateSpaceKind kind,
+                                                        const ConfigPose &pose);
 
     /** \brief \e pose as messages show it, such as "(1, 2, theta 0.5)". */
-    std::string describePose(StateSpaceKind kind, const ConfigPose &pose);
+    OMPL_MFA_EXPORT std::string describePose(StateSpaceKind kind, const ConfigPose &pose);
 }  // namespace ompl_mfa
 
 #endif

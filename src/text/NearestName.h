@@ -1,22 +1,61 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_TEXT_NEAREST_NAME_
 #define OMPL_MFA_TEXT_NEAREST_NAME_
 
 #include <string>
 #include <vector>
 
+#include "ompl_mfa/Export.h"
+
 namespace ompl_mfa
 {
     /** \brief The shortest entry of \e known that begins with \e name, or else the one with the least edit distance;
         empty where none is near: within a third of the length of \e name, and at least within one edit. */
-    std::string nearestName(const std::string &name, const std::vector<std::string> &known);
+    OMPL_MFA_EXPORT std::string nearestName(const std::string &name, const std::vector<std::string> &known);
 
     /** \brief The one line for a name that does not exist: `unknown function 'sync'; did you mean 'sinc'? accepted:
         ackley, sinc`. The guess is left out where no accepted name is close. */
-    std::string describeUnknown(const std::string &kind, const std::string &name,
-                                const std::vector<std::string> &accepted);
+    OMPL_MFA_EXPORT std::string describeUnknown(const std::string &kind, const std::string &name,
+                                                const std::vector<std::string> &accepted);
 
     /** \brief Throws InputError with describeUnknown() unless \e name is one of \e accepted. */
-    void requireKnown(const std::string &kind, const std::string &name, const std::vector<std::string> &accepted);
+    OMPL_MFA_EXPORT void requireKnown(const std::string &kind, const std::string &name,
+                                      const std::vector<std::string> &accepted);
 }  // namespace ompl_mfa
 
 #endif

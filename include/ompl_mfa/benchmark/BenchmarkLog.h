@@ -1,3 +1,39 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_BENCHMARK_BENCHMARK_LOG_
 #define OMPL_MFA_BENCHMARK_BENCHMARK_LOG_
 
@@ -7,6 +43,7 @@
 #include <string>
 #include <vector>
 
+#include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/RunRecord.h"
 
 namespace ompl_mfa
@@ -56,24 +93,24 @@ namespace ompl_mfa
 
     /** \brief Writes \e log. Blanks in the experiment's name become underscores, values that are not finite become
         `inf` or `nan`, and progress samples that the format would round to the same time are left out. */
-    void writeBenchmarkLog(std::ostream &out, const BenchmarkLog &log);
+    OMPL_MFA_EXPORT void writeBenchmarkLog(std::ostream &out, const BenchmarkLog &log);
 
     /** \brief As above, replacing \e file at once when all is written. Throws InputError when it cannot be written. */
-    void writeBenchmarkLog(const std::filesystem::path &file, const BenchmarkLog &log);
+    OMPL_MFA_EXPORT void writeBenchmarkLog(const std::filesystem::path &file, const BenchmarkLog &log);
 
     /** \brief Reads a log; \e name stands for it in messages. Throws InputError naming the line at which the text is
         not a log. */
-    BenchmarkLog readBenchmarkLog(std::istream &in, const std::string &name);
+    OMPL_MFA_EXPORT BenchmarkLog readBenchmarkLog(std::istream &in, const std::string &name);
 
     /** \brief As above. Throws InputError when \e file cannot be read or is not a log. */
-    BenchmarkLog readBenchmarkLog(const std::filesystem::path &file);
+    OMPL_MFA_EXPORT BenchmarkLog readBenchmarkLog(const std::filesystem::path &file);
 
     /** \brief Joins the parts of one campaign into one log. \e names stand for the parts in messages.
 
         Throws InputError when the parts are not of the same campaign, when two of them have the same run of a planner,
         or when runs are missing after all of them, unless \e allowMissing. */
-    BenchmarkLog mergeBenchmarkLogs(const std::vector<BenchmarkLog> &parts, const std::vector<std::string> &names,
-                                    bool allowMissing = false);
+    OMPL_MFA_EXPORT BenchmarkLog mergeBenchmarkLogs(const std::vector<BenchmarkLog> &parts,
+                                                    const std::vector<std::string> &names, bool allowMissing = false);
 }  // namespace ompl_mfa
 
 #endif

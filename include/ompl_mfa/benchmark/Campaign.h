@@ -1,3 +1,39 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_BENCHMARK_CAMPAIGN_
 #define OMPL_MFA_BENCHMARK_CAMPAIGN_
 
@@ -8,6 +44,7 @@
 #include <utility>
 #include <vector>
 
+#include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
 #include "ompl_mfa/benchmark/MeasuredRun.h"
@@ -76,7 +113,7 @@ namespace ompl_mfa
 
         Whatever a run does to its process costs that run alone. Runs that are over are on the disk: a campaign that was
         stopped at any point continues with `resume`. The calling process must have a single thread. */
-    class Campaign
+    class OMPL_MFA_EXPORT Campaign
     {
     public:
         /** \brief Throws InputError when there is no planner or no run, or when two planners have the same name. */
@@ -111,17 +148,18 @@ namespace ompl_mfa
     };
 
     /** \brief The log of \e records, whatever their order. \e shard is "i/n", or empty for a whole campaign. */
-    BenchmarkLog assembleLog(const Campaign &campaign, const std::vector<RunRecord> &records,
-                             const JournalHeader &header);
+    OMPL_MFA_EXPORT BenchmarkLog assembleLog(const Campaign &campaign, const std::vector<RunRecord> &records,
+                                             const JournalHeader &header);
 
     /** \brief The campaign of a config, as `ompl_mfa benchmark` runs it. Loads world and robot.
 
         Throws InputError as ProblemFactory does, and for a planner parameter `seed`: the campaign sets it. */
-    Campaign makeCampaign(const BenchmarkConfig &config);
+    OMPL_MFA_EXPORT Campaign makeCampaign(const BenchmarkConfig &config);
 
     /** \brief The log of a config: NAME.log in the folder of its key `output`, or beside the config; for a part of a
         campaign NAME.I-of-N.log. Folders that do not exist are made by Campaign::run(). */
-    std::filesystem::path logFile(const BenchmarkConfig &config, unsigned int shard, unsigned int shards);
+    OMPL_MFA_EXPORT std::filesystem::path logFile(const BenchmarkConfig &config, unsigned int shard,
+                                                  unsigned int shards);
 }  // namespace ompl_mfa
 
 #endif

@@ -1,3 +1,39 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_BENCHMARK_CONFIG_FILE_
 #define OMPL_MFA_BENCHMARK_CONFIG_FILE_
 
@@ -9,6 +45,7 @@
 #include <utility>
 #include <vector>
 
+#include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/ConfigLines.h"
 #include "ompl_mfa/collision/FclMotionValidator.h"
 
@@ -139,15 +176,15 @@ namespace ompl_mfa
 
     /** \brief Reads \e file. Throws InputError, naming file, line, key, value and what is accepted, at anything that
         cannot be read or is not known; planner parameters are checked by createPlanner(). */
-    BenchmarkConfig readBenchmarkConfig(const std::filesystem::path &file);
+    OMPL_MFA_EXPORT BenchmarkConfig readBenchmarkConfig(const std::filesystem::path &file);
 
     /** \brief As readBenchmarkConfig(), from a stream; \e file names it in messages, and files are sought beside it. */
-    BenchmarkConfig parseBenchmarkConfig(std::istream &in, const std::filesystem::path &file);
+    OMPL_MFA_EXPORT BenchmarkConfig parseBenchmarkConfig(std::istream &in, const std::filesystem::path &file);
 
     /** \brief The path of a file named in a config: as given, beside the config, then in the folders that the
         environment variable OMPL_MFA_RESOURCE_DIR names, separated by colons. Throws InputError listing these places
        when it is in none. */
-    std::filesystem::path findResource(const BenchmarkConfig &config, const ConfigEntry &entry);
+    OMPL_MFA_EXPORT std::filesystem::path findResource(const BenchmarkConfig &config, const ConfigEntry &entry);
 }  // namespace ompl_mfa
 
 #endif

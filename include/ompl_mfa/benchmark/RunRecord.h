@@ -1,3 +1,39 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_BENCHMARK_RUN_RECORD_
 #define OMPL_MFA_BENCHMARK_RUN_RECORD_
 
@@ -6,6 +42,7 @@
 #include <string>
 #include <vector>
 
+#include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/MeasuredPlanner.h"
 #include "ompl_mfa/benchmark/RunProcess.h"
 
@@ -41,18 +78,18 @@ namespace ompl_mfa
     };
 
     /** \brief \e record as one line of JSON, without the line break. */
-    std::string writeRunRecord(const RunRecord &record);
+    OMPL_MFA_EXPORT std::string writeRunRecord(const RunRecord &record);
 
     /** \brief Reads what writeRunRecord() wrote. Throws std::invalid_argument for anything else. */
-    RunRecord readRunRecord(const std::string &line);
+    OMPL_MFA_EXPORT RunRecord readRunRecord(const std::string &line);
 
     /** \brief The name of a property as logs write it. OMPL's BIT* family gives DOUBLE as a type, which makes its best
         cost another property than that of all other planners; it becomes REAL. */
-    std::string logPropertyName(const std::string &name);
+    OMPL_MFA_EXPORT std::string logPropertyName(const std::string &name);
 
     /** \brief The seed of run \e run of every planner in a campaign with seed \e base: an output of SplitMix64
         (Steele, Lea and Flood, 2014) for the state base + (run + 1) 0x9e3779b97f4a7c15, folded to [1, 2^31 - 1]. */
-    std::uint32_t runSeed(std::uint64_t base, unsigned int run);
+    OMPL_MFA_EXPORT std::uint32_t runSeed(std::uint64_t base, unsigned int run);
 }  // namespace ompl_mfa
 
 #endif

@@ -1,3 +1,39 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_COLLISION_FCL_MOTION_VALIDATOR_
 #define OMPL_MFA_COLLISION_FCL_MOTION_VALIDATOR_
 
@@ -7,6 +43,7 @@
 
 #include <ompl/base/MotionValidator.h>
 
+#include "ompl_mfa/Export.h"
 #include "ompl_mfa/collision/FclStateValidityChecker.h"
 
 namespace ompl_mfa::collision
@@ -23,7 +60,7 @@ namespace ompl_mfa::collision
 
     /** \brief `discrete` or `continuous`.
         \throw InputError naming the value. */
-    MotionValidation parseMotionValidation(const std::string &name);
+    OMPL_MFA_EXPORT MotionValidation parseMotionValidation(const std::string &name);
 
     /** \brief Continuous motion validation by conservative advancement.
 
@@ -33,7 +70,7 @@ namespace ompl_mfa::collision
         comes closer than clearanceTolerance() to an obstacle counts as a collision.
 
         Source: B. Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, UC Berkeley, 1996. */
-    class FclMotionValidator : public ompl::base::MotionValidator
+    class OMPL_MFA_EXPORT FclMotionValidator : public ompl::base::MotionValidator
     {
     public:
         /** \throw InputError where the space does not interpolate straight (Dubins, Reeds-Shepp). */
@@ -67,8 +104,9 @@ namespace ompl_mfa::collision
 
     /** \brief Give `si` the checker and the motion validator.
         \throw InputError as the constructor of FclMotionValidator does. */
-    void setCollisionChecking(const ompl::base::SpaceInformationPtr &si,
-                              const std::shared_ptr<FclStateValidityChecker> &checker, MotionValidation validation);
+    OMPL_MFA_EXPORT void setCollisionChecking(const ompl::base::SpaceInformationPtr &si,
+                                              const std::shared_ptr<FclStateValidityChecker> &checker,
+                                              MotionValidation validation);
 }  // namespace ompl_mfa::collision
 
 #endif

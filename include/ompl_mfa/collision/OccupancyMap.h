@@ -1,3 +1,39 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_COLLISION_OCCUPANCY_MAP_
 #define OMPL_MFA_COLLISION_OCCUPANCY_MAP_
 
@@ -7,13 +43,15 @@
 
 #include <fcl/geometry/octree/octree.h>
 
+#include "ompl_mfa/Export.h"
+
 namespace ompl_mfa::collision
 {
     /** \brief Read an OctoMap: .bt (binary) or .ot (full) of an `OcTree`. Cells are obstacles where their occupancy
         reaches the threshold of the map; free and unknown cells are free.
         \throw InputError naming the file and the fault: missing, not an OctoMap, an older or foreign kind of tree,
         truncated, or without any occupied cell. */
-    std::shared_ptr<fcl::OcTree<double>> loadOccupancyMap(const std::filesystem::path &file);
+    OMPL_MFA_EXPORT std::shared_ptr<fcl::OcTree<double>> loadOccupancyMap(const std::filesystem::path &file);
 
     /** \brief Make an occupancy map of the nodes that an `octomap_msgs/Octomap` message holds in its `data`: the
         content of an OctoMap file without its header.
@@ -23,7 +61,8 @@ namespace ompl_mfa::collision
         \return null where no cell is occupied
         \throw std::invalid_argument where the nodes are truncated, broken, or followed by other bytes, or the
         resolution is not positive and finite. */
-    std::shared_ptr<fcl::OcTree<double>> makeOccupancyMap(const std::string &nodes, bool binary, double resolution);
+    OMPL_MFA_EXPORT std::shared_ptr<fcl::OcTree<double>> makeOccupancyMap(const std::string &nodes, bool binary,
+                                                                          double resolution);
 }  // namespace ompl_mfa::collision
 
 #endif
