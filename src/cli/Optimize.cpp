@@ -47,20 +47,20 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/FileNames.h"
 #include "cli/Commands.h"
 #include "cli/Figure.h"
 #include "cli/JsonDocument.h"
-#include "text/NearestName.h"
 #include "cli/NumberOption.h"
-#include "optimizer/TestFunction.h"
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
-#include "benchmark/FileNames.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
+#include "optimizer/TestFunction.h"
+#include "text/NearestName.h"
+#include "text/NumberText.h"
 
 using ompl_mfa::FireflyOptimizer;
-using ompl_mfa::cli::Axes;
 using ompl_mfa::TestFunction;
+using ompl_mfa::cli::Axes;
 
 namespace
 {

@@ -53,19 +53,19 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/FileNames.h"
 #include "cli/Canvas.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "cli/NumberOption.h"
 #include "cli/ProblemPicture.h"
 #include "ompl_mfa/InputError.h"
-#include "text/NumberText.h"
 #include "ompl_mfa/PlainText.h"
-#include "benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/MeasuredPlanner.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 #include "ompl_mfa/planner/MFA.h"
+#include "text/NumberText.h"
 
 namespace
 {

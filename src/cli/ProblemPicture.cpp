@@ -45,8 +45,8 @@
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 
-#include "cli/Figure.h"
 #include "benchmark/ProblemSpace.h"
+#include "cli/Figure.h"
 #include "ompl_mfa/collision/PlanarOutline.h"
 #include "ompl_mfa/collision/StatePlacement.h"
 

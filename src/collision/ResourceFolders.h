@@ -40,11 +40,13 @@
 #include <filesystem>
 #include <vector>
 
+#include "ompl_mfa/Export.h"
+
 namespace ompl_mfa::collision
 {
     /** \brief The folders that the environment variable OMPL_MFA_RESOURCE_DIR names, in its order and separated by
         colons: further places where files are sought. */
-    std::vector<std::filesystem::path> resourceFolders();
+    OMPL_MFA_EXPORT std::vector<std::filesystem::path> resourceFolders();
 }  // namespace ompl_mfa::collision
 
 #endif

@@ -37,7 +37,9 @@
 #include "engine/Engine.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -55,6 +57,9 @@ namespace ompl_mfa
         /* Bounds of a turn, in units of PathEvaluator::work(). */
         constexpr std::uint64_t SHORTEST_TURN = 400;
         constexpr std::uint64_t LONGEST_TURN = 8000;
+
+        /* Pause where no part can do anything. */
+        constexpr std::chrono::milliseconds IDLE(1);
 
         /* The evaluator asks the condition of this search and no later one, however the search ends. */
         class StopConditionScope
@@ -168,6 +173,8 @@ namespace ompl_mfa
         for (const auto &part : parts_.parts)
             readiness.push_back(part->readiness());
         const auto next = sharing_.next(readiness);
+        if (!next)
+            std::this_thread::sleep_for(IDLE);  // until starts or goals arrive
         if (!next || finished(ptc))
             return;
         takeTurn(*next);

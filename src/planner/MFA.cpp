@@ -58,10 +58,11 @@ namespace ompl_mfa
         void requireFiniteExtent(const ob::Planner &planner)
         {
             const auto &space = planner.getSpaceInformation()->getStateSpace();
-            if (!std::isfinite(space->getMaximumExtent()))
-                throw ompl::Exception(planner.getName(), "cannot plan in the state space '" + space->getName() +
-                                                             "': its bounds are infinite, or too large for a finite "
-                                                             "distance");
+            if (std::isfinite(space->getMaximumExtent()))
+                return;
+            throw ompl::Exception(planner.getName(), "cannot plan in the state space '" + space->getName() +
+                                                         "': its bounds are infinite, or too large for a finite "
+                                                         "distance");
         }
     }  // namespace
 

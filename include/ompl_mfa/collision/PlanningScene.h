@@ -67,8 +67,8 @@ namespace ompl_mfa::collision
         \param packageFolders where a `resource` that is `package://PACKAGE/PATH` or a relative name is sought, after
         the folder of the scene and before resourceFolders(); a folder holds packages or is one
         \throw InputError naming file, line, key and value. */
-    Scene loadPlanningScene(const std::filesystem::path &file,
-                            const std::vector<std::filesystem::path> &packageFolders = {});
+    OMPL_MFA_EXPORT Scene loadPlanningScene(const std::filesystem::path &file,
+                                            const std::vector<std::filesystem::path> &packageFolders = {});
 
     /** \brief Read a planning scene in MoveIt's text format (`.scene`), as RViz exports it: a line with the name; for
         each object a line `* ID`, in the newer format its pose, the number of shapes, the shapes (`box`, `sphere`,

@@ -40,6 +40,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "ompl_mfa/Export.h"
 #include "ompl_mfa/collision/RigidBody.h"
 #include "ompl_mfa/collision/Scene.h"
 
@@ -66,7 +67,8 @@ namespace ompl_mfa::collision
         \param packageFolders where the meshes of a planning scene are sought, as in loadPlanningScene()
         \throw InputError naming the file and the fault; for an unknown extension, the kinds that are read. A world is
         never empty. */
-    Scene loadScene(const std::filesystem::path &file, const std::vector<std::filesystem::path> &packageFolders = {});
+    OMPL_MFA_EXPORT Scene loadScene(const std::filesystem::path &file,
+                                    const std::vector<std::filesystem::path> &packageFolders = {});
 
     /** \brief Read a robot: a mesh, or a planning scene whose objects are taken as the shapes of one rigid body about
         the origin of the file.
@@ -74,8 +76,8 @@ namespace ompl_mfa::collision
         \param centring for meshes only; a planning scene names its own reference point.
         \param packageFolders as for loadScene()
         \throw InputError naming the file and the fault. */
-    RigidBody loadRobot(const std::filesystem::path &file, RobotCentring centring,
-                        const std::vector<std::filesystem::path> &packageFolders = {});
+    OMPL_MFA_EXPORT RigidBody loadRobot(const std::filesystem::path &file, RobotCentring centring,
+                                        const std::vector<std::filesystem::path> &packageFolders = {});
 }  // namespace ompl_mfa::collision
 
 #endif

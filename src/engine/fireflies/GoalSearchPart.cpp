@@ -73,9 +73,11 @@ namespace ompl_mfa
     {
         PathEvaluator &evaluator = context().evaluator();
         if (!search_)
+        {
             search_ = std::make_unique<GoalSearch>(context().chart, context().spaceInformation(),
                                                    context().query.goal(), context().query.starts().front(),
                                                    streamSeed(context().seed, Stream::GoalSearch));
+        }
         const std::uint64_t before = search_->evaluations();
         if (search_->advance([&] { return evaluator.stopped(); }, findings.goals))
             due_ = evaluator.work() + PAUSE * ++found_;

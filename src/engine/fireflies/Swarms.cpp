@@ -118,12 +118,13 @@ namespace ompl_mfa
             SliceFrame frame = SliceFrame::straight(context_.chart, context_.query.starts()[pair->first],
                                                     context_.query.goals()[pair->second], context_.settings.slices + 1);
             ++laid_;
-            if (frame.dimension() > 0)
-                straight_.push_back(std::make_unique<Swarm>(std::move(frame), options_.coordinates,
-                                                            context_.evaluator(), options_.fireflies,
-                                                            streamSeed(context_.seed, Stream::Swarm, straight_.size()),
-                                                            [this](const Waypoints &path, const Brightness &brightness)
-                                                            { keepFirefly(path, brightness.cost); }));
+            if (frame.dimension() == 0)
+                continue;
+            const auto validPath = [this](const Waypoints &path, const Brightness &brightness)
+            { keepFirefly(path, brightness.cost); };
+            straight_.push_back(std::make_unique<Swarm>(
+                std::move(frame), options_.coordinates, context_.evaluator(), options_.fireflies,
+                streamSeed(context_.seed, Stream::Swarm, straight_.size()), validPath));
         }
     }
 
