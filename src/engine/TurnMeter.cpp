@@ -39,16 +39,12 @@
 #include <algorithm>
 #include <cmath>
 
-#ifdef __linux__
-#include <ctime>
-
-#include <sys/resource.h>
-#endif
-
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/base/spaces/SO3StateSpace.h>
+
+#include "engine/ThreadClock.h"
 
 namespace ob = ompl::base;
 
@@ -67,34 +63,6 @@ namespace ompl_mfa
         constexpr double TREE_SEARCH = 7.0;
         constexpr double TREE_GROWTH = 1.65;
         constexpr double LINEAR_SEARCH = 3.0;
-
-#ifdef __linux__
-        double processorTime()
-        {
-            timespec time{};
-            clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-            return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-        }
-
-        /* How often the thread has waited, for another thread or for anything else but its turn on the processor. */
-        long waits()
-        {
-            rusage usage{};
-            getrusage(RUSAGE_THREAD, &usage);
-            return usage.ru_nvcsw;
-        }
-#else
-        double processorTime()
-        {
-            return 0.0;
-        }
-
-        long waits()
-        {
-            thread_local long asked = 0;
-            return ++asked;
-        }
-#endif
 
         /* Time of computing a distance in nearest-neighbour searches among thousands of states of each space, in s. */
         double computingTime(const ob::StateSpace &space)
@@ -138,8 +106,8 @@ namespace ompl_mfa
       , distances_(evaluator.distances())
       , bookkeeping_(evaluator.bookkeeping())
       , begin_(std::chrono::steady_clock::now())
-      , processorBegin_(processorTime())
-      , waits_(waits())
+      , processorBegin_(thread_clock::processorTime())
+      , waits_(thread_clock::waits())
     {
     }
 
@@ -151,8 +119,8 @@ namespace ompl_mfa
                    distanceTime_ * static_cast<double>(evaluator_.distances() - distances_) +
                    BOOKKEEPING_TIME * static_cast<double>(evaluator_.bookkeeping() - bookkeeping_ + 1);
         }
-        if (waits() == waits_)
-            return std::max(processorTime() - processorBegin_, SHORTEST);
+        if (thread_clock::waits() == waits_)
+            return std::max(thread_clock::processorTime() - processorBegin_, SHORTEST);
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     }
 }  // namespace ompl_mfa
