@@ -59,7 +59,7 @@ namespace ompl_mfa
 
         void sample(Eigen::Ref<Eigen::VectorXd> position) const override;
 
-        /** \brief A state at \e position whose orientation is drawn anew; TSRRT interpolates towards it. */
+        /** \brief A state at \e position with a new random orientation; TSRRT interpolates towards it. */
         bool lift(const Eigen::Ref<Eigen::VectorXd> &position, const ompl::base::State *seed,
                   ompl::base::State *state) const override;
 

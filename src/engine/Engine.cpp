@@ -104,7 +104,8 @@ namespace ompl_mfa
         context_.evaluator().setPartialPathEvent(
             [this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
             { offerPartial(path, motion, lastValid); });
-        share();
+        for (const auto &part : parts_.parts)
+            sharing_.add(part->firstShare());
     }
 
     Engine::~Engine() = default;
@@ -168,7 +169,7 @@ namespace ompl_mfa
         context_.query.poll(inputs);
         tryStraightMotions();
         considerPending();
-        share();
+        updatePhase();
         std::vector<Readiness> readiness;
         for (const auto &part : parts_.parts)
             readiness.push_back(part->readiness());
@@ -214,7 +215,7 @@ namespace ompl_mfa
         const double spent = meter.spent();
         context_.progress.addTime(part.kind(), spent);
         sharing_.record(number, spent, gains_);
-        share();
+        updatePhase();
     }
 
     void Engine::consider(Findings &findings)
@@ -294,17 +295,15 @@ namespace ompl_mfa
 
     /* Wherever the first path of finite cost came from, the parts share the time from then on as it suits its
        improvement. */
-    void Engine::share()
+    void Engine::updatePhase()
     {
-        const bool improving = context_.incumbent.hasFinitePath();
-        if (improving_ == improving && !gains_.empty())
+        if (improving_ || !context_.incumbent.hasFinitePath())
             return;
-        improving_ = improving;
+        improving_ = true;
         const double soFar = context_.progress.time();
-        gains_.assign(parts_.parts.size(), 0.0);
         sharing_ = TurnSharing();
         for (const auto &part : parts_.parts)
-            sharing_.add(improving ? part->improvementShare(soFar) : part->firstShare());
+            sharing_.add(part->improvementShare(soFar));
     }
 
     /* The piece of the motion up to the last valid state is discretised by itself and may not be valid. */

@@ -104,7 +104,7 @@ namespace ompl_mfa
         void consider(const Detour &detour);
         bool offer(const Proposal &proposal);
         void credit(std::optional<PartKind> origin, double gain);
-        void share();
+        void updatePhase();
         bool pathHolds(const ompl::base::PlannerTerminationCondition &ptc);
         void offerPartial(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
 

@@ -38,6 +38,8 @@
 
 #include <utility>
 
+#include "path/CostBounds.h"
+
 namespace ob = ompl::base;
 
 namespace ompl_mfa
@@ -59,10 +61,7 @@ namespace ompl_mfa
 
     double Incumbent::bound() const
     {
-        if (!hasPath() || hasFinitePath())
-            return cost();
-        const double largest = std::numeric_limits<double>::max();
-        return objective_->infiniteCost().value() > 0.0 ? largest : -largest;
+        return !hasPath() || hasFinitePath() ? cost() : worstFiniteCost(*objective_);
     }
 
     bool Incumbent::improvedBy(double cost) const

@@ -71,11 +71,12 @@ namespace ompl_mfa
         void addSwarms(const SearchContext &context, PartList &list)
         {
             Swarms::Options options;
+            options.guided = list.guided;
             options.fireflies = fireflySettings(context.settings, POPULATION);
             list.swarms = std::make_shared<Swarms>(context, options);
-            list.parts.push_back(std::make_unique<FireflyPart>(context, list.swarms, list.guided));
+            list.parts.push_back(std::make_unique<FireflyPart>(context, list.swarms));
             if (context.settings.recombination)
-                list.parts.push_back(std::make_unique<RecombinationPart>(context, list.swarms, list.guided));
+                list.parts.push_back(std::make_unique<RecombinationPart>(context, list.swarms));
         }
 
         PartList paperParts(const SearchContext &context)
@@ -86,7 +87,7 @@ namespace ompl_mfa
             options.fireflies = fireflySettings(context.settings, PAPER_POPULATION);
             PartList list;
             list.swarms = std::make_shared<Swarms>(context, options);
-            list.parts.push_back(std::make_unique<FireflyPart>(context, list.swarms, false));
+            list.parts.push_back(std::make_unique<FireflyPart>(context, list.swarms));
             return list;
         }
     }  // namespace

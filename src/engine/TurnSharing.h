@@ -46,7 +46,7 @@
 namespace ompl_mfa
 {
     /** \brief Shares work between parts that take turns: each has a share, which grows with what the part gained for
-       its work of late and never falls below a floor. */
+       its recent work and never falls below a floor. */
     class TurnSharing
     {
     public:

@@ -83,6 +83,12 @@ namespace ompl_mfa
         }
     }  // namespace
 
+    double worstFiniteCost(const ob::OptimizationObjective &objective)
+    {
+        constexpr double LARGEST = std::numeric_limits<double>::max();
+        return objective.isCostBetterThan(ob::Cost(-LARGEST), ob::Cost(LARGEST)) ? LARGEST : -LARGEST;
+    }
+
     CostBounds::CostBounds(const ob::SpaceInformationPtr &si, ob::OptimizationObjectivePtr objective)
       : objective_(std::move(objective))
       , guard_(si->getStateSpace())

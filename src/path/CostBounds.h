@@ -44,6 +44,9 @@
 
 namespace ompl_mfa
 {
+    /** \brief The finite cost that all other finite costs beat. */
+    double worstFiniteCost(const ompl::base::OptimizationObjective &objective);
+
     /** \brief Lower bounds of costs, used for as long as nothing contradicts them.
 
         OMPL asks of OptimizationObjective::motionCostHeuristic that no path be better than it says, but an objective

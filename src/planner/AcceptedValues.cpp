@@ -41,9 +41,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <system_error>
 #include <type_traits>
 #include <utility>
+
+#include "text/NumberText.h"
 
 namespace ompl_mfa
 {
@@ -71,17 +72,7 @@ namespace ompl_mfa
     template <typename T>
     bool AcceptedValues<T>::read(const std::string &text, T &value)
     {
-        const char *begin = text.data();
-        const char *const end = begin + text.size();
-        // from_chars knows no sign +
-        if (begin != end && *begin == '+' && begin + 1 != end && begin[1] != '-')
-            ++begin;
-        T number{};
-        const auto result = std::from_chars(begin, end, number);
-        if (result.ec != std::errc() || result.ptr != end)
-            return false;
-        value = number;
-        return true;
+        return readNumber(text, value);
     }
 
     template <typename T>

@@ -46,6 +46,7 @@
 #include <ompl/util/Exception.h>
 
 #include "ompl_mfa/Export.h"
+#include "ompl_mfa/PlainText.h"
 #include "planner/AcceptedValues.h"
 
 namespace ompl_mfa
@@ -85,7 +86,7 @@ namespace ompl_mfa
             T typed{};
             try
             {
-                if (!accepted_.read(withoutBlanks(value), typed))
+                if (!accepted_.read(trimmed(value), typed))
                     throw ompl::Exception(name_ + " = '" + value + "' is not of the right type; accepted is " +
                                           accepted_.description());
                 require(accepted_, name_, typed);
@@ -110,15 +111,6 @@ namespace ompl_mfa
         }
 
     private:
-        static std::string withoutBlanks(const std::string &text)
-        {
-            const char *const blanks = " \t\r\n";
-            const auto first = text.find_first_not_of(blanks);
-            if (first == std::string::npos)
-                return {};
-            return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-        }
-
         AcceptedValues<T> accepted_;
         Setter setter_;
         Getter getter_;

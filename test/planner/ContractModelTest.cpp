@@ -60,6 +60,7 @@
 
 #include "planner/ConsoleRecord.h"
 #include "planner/DistanceGoal.h"
+#include "planner/PatchGoal.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;
@@ -157,45 +158,6 @@ namespace ompl_mfa
                                         rc::gen::set(&Command::b, below(64U)));
             return rc::gen::scale(2.0, rc::gen::container<std::vector<Command>>(command));
         }
-
-        /* A square that is sampled. */
-        class Patch : public ob::GoalSampleableRegion
-        {
-        public:
-            Patch(const ob::SpaceInformationPtr &si, const Point &middle, unsigned int samples)
-              : GoalSampleableRegion(si)
-              , center(middle)
-              , samples_(samples)
-            {
-                setThreshold(1e-9);
-            }
-
-            void sampleGoal(ob::State *state) const override
-            {
-                double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
-                for (std::size_t i = 0; i < 2; ++i)
-                    values[i] = center[i] + side * rng_.uniformReal(-0.5, 0.5);
-            }
-
-            unsigned int maxSampleCount() const override
-            {
-                return samples_;
-            }
-
-            double distanceGoal(const ob::State *state) const override
-            {
-                const double dx = std::abs(test::coordinate(state, 0) - center[0]) - 0.5 * side;
-                const double dy = std::abs(test::coordinate(state, 1) - center[1]) - 0.5 * side;
-                return std::max({0.0, dx, dy});
-            }
-
-            Point center;
-            double side{0.5};
-
-        private:
-            unsigned int samples_;
-            mutable ompl::RNG rng_;
-        };
 
         /* What a parameter accepts and refuses, as docs/planner.md has it. */
         struct Values
@@ -434,7 +396,8 @@ namespace ompl_mfa
                     break;
                 case Kind::Patch:
                     // never in the wall: a sampler of invalid states is waited for
-                    goal_ = std::make_shared<Patch>(problem_.si, POINTS[4 + b % 3], b % 2 == 0 ? 2 : 1000000);
+                    goal_ = std::make_shared<test::PatchGoal>(problem_.si, POINTS[4 + b % 3], 0.5,
+                                                              b % 2 == 0 ? 2 : 1000000);
                     break;
             }
         }
@@ -463,9 +426,9 @@ namespace ompl_mfa
                     break;
                 case Kind::Patch:
                     if (a % 2 == 0)
-                        goal_->as<Patch>()->side = b % 2 == 0 ? 0.1 : 0.9;
+                        goal_->as<test::PatchGoal>()->side = b % 2 == 0 ? 0.1 : 0.9;
                     else
-                        goal_->as<Patch>()->center = POINTS[4 + b % 3];
+                        goal_->as<test::PatchGoal>()->center = POINTS[4 + b % 3];
                     break;
             }
         }

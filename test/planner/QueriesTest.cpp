@@ -53,6 +53,7 @@
 #include <ompl/util/Exception.h>
 
 #include "planner/DistanceGoal.h"
+#include "planner/PatchGoal.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;
@@ -417,52 +418,11 @@ namespace ompl_mfa
             expectExactAgain(9.0, 9.0);
         }
 
-        /* A square around a center, sampled at the most so many times.
-         */
-        class Patch : public ob::GoalSampleableRegion
-        {
-        public:
-            Patch(const ob::SpaceInformationPtr &si, double x, double y, double width, unsigned int samples)
-              : GoalSampleableRegion(si)
-              , center{x, y}
-              , side(width)
-              , samples_(samples)
-            {
-                setThreshold(1e-9);
-            }
-
-            void sampleGoal(ob::State *state) const override
-            {
-                double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
-                for (std::size_t i = 0; i < 2; ++i)
-                    values[i] = center[i] + side * rng_.uniformReal(-0.5, 0.5);
-            }
-
-            unsigned int maxSampleCount() const override
-            {
-                return samples_;
-            }
-
-            double distanceGoal(const ob::State *state) const override
-            {
-                const double dx = std::abs(test::coordinate(state, 0) - center[0]) - 0.5 * side;
-                const double dy = std::abs(test::coordinate(state, 1) - center[1]) - 0.5 * side;
-                return std::max({0.0, dx, dy});
-            }
-
-            std::array<double, 2> center;
-            double side;
-
-        private:
-            unsigned int samples_;
-            mutable ompl::RNG rng_;
-        };
-
         TEST_P(ChangedQueries, ASampleableRegionMayMove)
         {
             for (const unsigned int samples : {1U, 3U, std::numeric_limits<unsigned int>::max()})
             {
-                const auto region = std::make_shared<Patch>(problem_->si, 9.0, 1.0, 0.5, samples);
+                const auto region = std::make_shared<test::PatchGoal>(problem_->si, std::array{9.0, 1.0}, 0.5, samples);
                 problem_->pdef->setGoal(region);
                 problem_->pdef->clearSolutionPaths();
                 solveOnce();
@@ -474,7 +434,7 @@ namespace ompl_mfa
 
         TEST_P(ChangedQueries, ARegionMayShrink)
         {
-            const auto region = std::make_shared<Patch>(problem_->si, 8.0, 1.0, 4.0, 1000000);
+            const auto region = std::make_shared<test::PatchGoal>(problem_->si, std::array{8.0, 1.0}, 4.0, 1000000);
             problem_->pdef->setGoal(region);
             solveOnce();
             planner_->solve(test::afterCalls(2000));
@@ -493,7 +453,7 @@ namespace ompl_mfa
 
         TEST_P(ChangedQueries, ARegionThatGrowsNeedsNoNewSearch)
         {
-            const auto region = std::make_shared<Patch>(problem_->si, 9.0, 1.0, 0.5, 1000000);
+            const auto region = std::make_shared<test::PatchGoal>(problem_->si, std::array{9.0, 1.0}, 0.5, 1000000);
             problem_->pdef->setGoal(region);
             solveOnce();
             const std::uint64_t evaluations = planner_->evaluations();

@@ -47,21 +47,13 @@ namespace ompl_mfa
 {
     namespace
     {
-        /* State checks of the guides before the first turn of a swarm. */
-        constexpr std::uint64_t FIRST_GUIDES = 50000;
         /* A firefly may be this many times worse than the best path and still be worth tightening. */
         constexpr double SLACK = 1.2;
     }  // namespace
 
-    bool guidesFirst(const SearchContext &context)
-    {
-        return !context.incumbent.hasFinitePath() && context.evaluator().checks() < FIRST_GUIDES;
-    }
-
-    FireflyPart::FireflyPart(const SearchContext &context, std::shared_ptr<Swarms> swarms, bool guided)
+    FireflyPart::FireflyPart(const SearchContext &context, std::shared_ptr<Swarms> swarms)
       : SearchPart(PartKind::Fireflies, context)
       , swarms_(std::move(swarms))
-      , guided_(guided)
     {
     }
 
@@ -73,14 +65,14 @@ namespace ompl_mfa
     Share FireflyPart::improvementShare(double seconds) const
     {
         const double weight = 0.08 + 0.14 * std::max(0.0, 1.0 - roadmapFactor(*context().chart));
-        return {weight, weight, FIREFLIES_DELAY * seconds};
+        return {weight, weight, Swarms::DELAY * seconds};
     }
 
     Readiness FireflyPart::readiness() const
     {
         if (!swarms_->any())
             return Readiness::Idle;
-        return guided_ && guidesFirst(context()) ? Readiness::Waiting : Readiness::Ready;
+        return swarms_->waitForGuides() ? Readiness::Waiting : Readiness::Ready;
     }
 
     void FireflyPart::advance(std::uint64_t work, Findings &findings)

@@ -51,7 +51,7 @@ namespace ompl_mfa
 {
     /** \brief Finds states that satisfy a goal which only knows distances: fireflies over the whole state space, the
         nearer to the goal the brighter. Every valid state that satisfies the goal is collected. After an epoch the
-       swarm begins anew. */
+       swarm restarts with random fireflies. */
     class GoalSearch : private ObjectiveFunction
     {
     public:

@@ -38,8 +38,6 @@
 
 #include <utility>
 
-#include "engine/fireflies/FireflyPart.h"
-
 namespace ompl_mfa
 {
     namespace
@@ -48,10 +46,9 @@ namespace ompl_mfa
         constexpr double SLACK = 1.1;
     }  // namespace
 
-    RecombinationPart::RecombinationPart(const SearchContext &context, std::shared_ptr<Swarms> swarms, bool guided)
+    RecombinationPart::RecombinationPart(const SearchContext &context, std::shared_ptr<Swarms> swarms)
       : SearchPart(PartKind::Recombination, context)
       , swarms_(std::move(swarms))
-      , guided_(guided)
     {
     }
 
@@ -62,7 +59,7 @@ namespace ompl_mfa
 
     Share RecombinationPart::improvementShare(double seconds) const
     {
-        return {0.04, 0.04, FIREFLIES_DELAY * seconds};
+        return {0.04, 0.04, Swarms::DELAY * seconds};
     }
 
     Readiness RecombinationPart::readiness() const
@@ -71,7 +68,7 @@ namespace ompl_mfa
         if (swarm == nullptr || swarms_->mustChoose() || swarm->frame().slices() == 0 ||
             swarm->fireflies().evaluations() == 0)
             return Readiness::Idle;
-        return guided_ && guidesFirst(context()) ? Readiness::Waiting : Readiness::Ready;
+        return swarms_->waitForGuides() ? Readiness::Waiting : Readiness::Ready;
     }
 
     void RecombinationPart::advance(std::uint64_t work, Findings &findings)

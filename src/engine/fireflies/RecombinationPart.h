@@ -49,7 +49,7 @@ namespace ompl_mfa
     {
     public:
         /** \brief As FireflyPart, whose swarms these are. */
-        RecombinationPart(const SearchContext &context, std::shared_ptr<Swarms> swarms, bool guided);
+        RecombinationPart(const SearchContext &context, std::shared_ptr<Swarms> swarms);
 
         Share firstShare() const override;
         Share improvementShare(double seconds) const override;
@@ -58,7 +58,6 @@ namespace ompl_mfa
 
     private:
         std::shared_ptr<Swarms> swarms_;
-        bool guided_;
     };
 }  // namespace ompl_mfa
 

@@ -49,6 +49,8 @@ namespace ompl_mfa
     {
         /* Pairs of start and goal beyond these get no swarm of their own. */
         constexpr std::size_t MAX_SWARMS = 8;
+        /* State checks of the guides before the first turn of a swarm. */
+        constexpr std::uint64_t FIRST_GUIDES = 50000;
         /* Generations in a window. */
         constexpr unsigned int WINDOW_GENERATIONS = 15;
         /* One window in so many has its slices across the path, not across the straight motion. */
@@ -71,19 +73,29 @@ namespace ompl_mfa
     Swarm *Swarms::active()
     {
         // where the stop condition left no time to lay one, there is none yet
-        if (std::exchange(choose_, false) || active_ == nullptr)
+        if (mustChoose())
             choose();
         return active_;
     }
 
+    bool Swarms::waitForGuides() const
+    {
+        return options_.guided && !context_.incumbent.hasFinitePath() && context_.evaluator().checks() < FIRST_GUIDES;
+    }
+
+    bool Swarms::flyInWindow() const
+    {
+        return window_ && active_ == &window_->swarm();
+    }
+
     const WindowSwarm *Swarms::window() const
     {
-        return window_ && active_ == &window_->swarm() ? window_.get() : nullptr;
+        return flyInWindow() ? window_.get() : nullptr;
     }
 
     WindowSwarm *Swarms::window()
     {
-        return window_ && active_ == &window_->swarm() ? window_.get() : nullptr;
+        return flyInWindow() ? window_.get() : nullptr;
     }
 
     void Swarms::choose()
@@ -166,7 +178,7 @@ namespace ompl_mfa
     /* Where the window has found something, the next one waits for what becomes of that. */
     void Swarms::endGeneration(Findings &findings)
     {
-        if (window() == nullptr || !pursueWindow(findings))
+        if (!flyInWindow() || !pursueWindow(findings))
             choose();
     }
 
@@ -180,7 +192,7 @@ namespace ompl_mfa
         // one that can be deformed into the segment that is there would only be tightened to that
         if (!context_.settings.tightening || !seemDeformable(evaluator, window_->found(), window_->segment()))
             findings.detours.push_back(window_->detour(PartKind::Fireflies));
-        choose_ = windowServed_ = true;
+        windowServed_ = true;
         return true;
     }
 

@@ -54,10 +54,15 @@ namespace ompl_mfa
     class Swarms
     {
     public:
+        /** \brief The swarms begin to improve a path after this many times the time that it took: where a first path
+            is hard to find, another is too. */
+        static constexpr double DELAY = 10.0;
+
         struct Options
         {
             Swarm::Coordinates coordinates{Swarm::Coordinates::Modes};  ///< of the swarms over straight axes
             bool windows{true};  ///< whether swarms fly in windows once there is a path
+            bool guided{false};  ///< whether guides should search for a first path before the fireflies do
             bool bounded{true};  ///< whether fireflies that cannot become the best path are not checked for validity
             FireflyOptimizer::Settings fireflies;
         };
@@ -73,6 +78,10 @@ namespace ompl_mfa
         /** \brief Whether there is a swarm, or can be one. */
         bool any() const;
 
+        /** \brief Whether guides should still search alone: where a first path is not found yet, the first turn of a
+            swarm takes thousands of state checks. */
+        bool waitForGuides() const;
+
         /** \brief The active swarm, chosen now if that is due: those over straight axes take turns by generations; once
             there is a path, windows have every other turn, or all of them where there is only one axis (the whole path
             is a window too). Null where there is none. */
@@ -81,7 +90,7 @@ namespace ompl_mfa
         /** \brief Whether the next call of active() chooses. */
         bool mustChoose() const
         {
-            return choose_;
+            return windowServed_ || active_ == nullptr;
         }
 
         /** \brief The active swarm, or the last one before the next is chosen; null where none was. */
@@ -111,6 +120,7 @@ namespace ompl_mfa
         void explain(SearchGraph &graph) const;
 
     private:
+        bool flyInWindow() const;
         void choose();
         void layStraight();
         void openWindow();
@@ -124,7 +134,6 @@ namespace ompl_mfa
         std::vector<std::unique_ptr<Swarm>> straight_;
         std::unique_ptr<WindowSwarm> window_;
         Swarm *active_{nullptr};    ///< the window's, or one of straight_
-        bool choose_{true};         ///< whether another is to be chosen before it goes on
         bool windowServed_{false};  ///< whether window_ is kept only to be shown
         std::size_t chosen_{0};     ///< how often, where windows and straight axes alternate
         std::size_t windows_{0};    ///< opened so far

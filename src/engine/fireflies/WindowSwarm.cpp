@@ -134,11 +134,6 @@ namespace ompl_mfa
         return {chart, std::move(axis), reach(length)};
     }
 
-    bool WindowSwarm::step(const FireflyOptimizer::StopCondition &stop)
-    {
-        return swarm_->step(stop);
-    }
-
     bool WindowSwarm::take(const Waypoints &segment, double cost)
     {
         if (!found_.empty() && !evaluator_.objective()->isCostBetterThan(ob::Cost(cost), ob::Cost(foundCost_)))

@@ -80,9 +80,6 @@ namespace ompl_mfa
                                                  const StateChartPtr &chart, PathEvaluator &evaluator,
                                                  const FireflyOptimizer::Settings &settings, std::uint64_t seed);
 
-        /** \brief One generation, as FireflyOptimizer::step. */
-        bool step(const FireflyOptimizer::StopCondition &stop);
-
         /** \brief As Swarm::recombine; true if it found a better segment than found(), which that now is. */
         bool recombine(std::uint64_t work);
 

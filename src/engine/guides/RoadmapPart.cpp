@@ -173,9 +173,7 @@ namespace ompl_mfa
         if (!found_)
             return evaluator_.withSlack(bound, SLACK);
         // what beats a path of infinite cost is what beats the worst of all finite ones
-        constexpr double MOST = std::numeric_limits<double>::max();
-        const double extreme = objective.isCostBetterThan(ob::Cost(-MOST), ob::Cost(MOST)) ? MOST : -MOST;
-        const double best = objective.isFinite(ob::Cost(best_)) ? best_ : extreme;
+        const double best = objective.isFinite(ob::Cost(best_)) ? best_ : worstFiniteCost(objective);
         const double slack = evaluator_.withSlack(bound, SLACK);
         return !std::isinf(bound) && objective.isCostBetterThan(ob::Cost(slack), ob::Cost(best)) ? slack : best;
     }

@@ -152,7 +152,7 @@ namespace ompl_mfa
     }
 
     /* Which step pays depends on the world and on how far the path has come: each is tried as often as it gained for
-       its work of late, and now and then for the sake of change. */
+       its recent work, and now and then for the sake of change. */
     void PathTightening::round()
     {
         // candidates that fail on cost alone never come to a motion check, which would ask

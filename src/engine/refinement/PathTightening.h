@@ -80,7 +80,8 @@ namespace ompl_mfa
             return path_;
         }
 
-        /** \brief The cost of path(); infinite while advance() has not come to compute it. Costs no motion anew. */
+        /** \brief The cost of path(); infinite while advance() has not come to compute it. Computes the cost of no
+         * motion again. */
         ompl::base::Cost cost() const;
 
         /** \brief Whether the last rounds gained next to nothing. More of them still may, but rarely. */

@@ -96,7 +96,7 @@ namespace ompl_mfa
             void fly(WindowSwarm &window) const
             {
                 while (!window.exhausted() && window.found().empty())
-                    window.step(never);
+                    window.swarm().step(never);
             }
 
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
@@ -149,9 +149,9 @@ namespace ompl_mfa
             EXPECT_FALSE(window->exhausted());
             // the evaluation of the initial swarm is a step of its own
             for (unsigned int k = 0; k < settings_.generations; ++k)
-                window->step(never);
+                window->swarm().step(never);
             EXPECT_FALSE(window->exhausted());
-            window->step(never);
+            window->swarm().step(never);
             EXPECT_TRUE(window->exhausted());
         }
 
@@ -161,7 +161,7 @@ namespace ompl_mfa
             for (std::uint64_t seed = 0; seed < 10; ++seed)
             {
                 const auto window = open(detour_, 1, 4, seed);
-                window->step(never);
+                window->swarm().step(never);
                 if (!window->recombine(200000))
                     continue;
                 ++found;
@@ -185,7 +185,7 @@ namespace ompl_mfa
                 while (!window->exhausted())
                 {
                     const double before = window->found().length();
-                    window->step(never);
+                    window->swarm().step(never);
                     EXPECT_LE(window->found().length(), before);
                 }
                 replaced += window->found().length() < spliced ? 1 : 0;
