@@ -72,7 +72,7 @@ namespace ompl_mfa
         bool isOneOf(const ob::GenericParam &parameter)
         {
             return ((dynamic_cast<const ob::SpecificParam<Types> *>(&parameter) ||
-                     dynamic_cast<const RangedParam<Types> *>(&parameter)) ||
+                     dynamic_cast<const planner::RangedParam<Types> *>(&parameter)) ||
                     ...);
         }
 
@@ -193,7 +193,7 @@ namespace ompl_mfa
             ompl::msg::LogLevel level_{ompl::msg::getLogLevel()};
         };
 
-        void setParameter(SelectiveParam &parameter, const ConfigEntry &entry)
+        void setParameter(planner::SelectiveParam &parameter, const ConfigEntry &entry)
         {
             const NoWarnings noWarnings;
             const bool isSwitch = valueType(parameter) == ValueType::SWITCH;
@@ -204,7 +204,7 @@ namespace ompl_mfa
         void setParameter(ob::Planner &planner, const PlannerSpec &spec, const ConfigEntry &entry)
         {
             const ob::GenericParamPtr parameter = findParameter(planner, spec, entry);
-            if (auto *selective = dynamic_cast<SelectiveParam *>(parameter.get()))
+            if (auto *selective = dynamic_cast<planner::SelectiveParam *>(parameter.get()))
             {
                 setParameter(*selective, entry);
                 return;

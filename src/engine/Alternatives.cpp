@@ -36,18 +36,18 @@
 
 #include "engine/Alternatives.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
         constexpr std::size_t CAPACITY = 3;
     }  // namespace
 
-    void Alternatives::add(const Waypoints &path)
+    void Alternatives::add(const path::Waypoints &path)
     {
         if (paths_.size() < CAPACITY)
             paths_.push_back(path);
         else
             paths_[next_++ % CAPACITY] = path;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -42,7 +42,7 @@
 
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief The last few tightened paths that were a little worse than the best one: as a rule paths of other
         homotopy classes. */
@@ -53,22 +53,22 @@ namespace ompl_mfa
         static constexpr double SLACK = 1.1;
 
         /** \brief Keeps \e path, in the place of the oldest where there are three. */
-        void add(const Waypoints &path);
+        void add(const path::Waypoints &path);
 
         std::size_t size() const
         {
             return paths_.size();
         }
 
-        const Waypoints &operator[](std::size_t i) const
+        const path::Waypoints &operator[](std::size_t i) const
         {
             return paths_[i];
         }
 
     private:
-        std::vector<Waypoints> paths_;
+        std::vector<path::Waypoints> paths_;
         std::size_t next_{0};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

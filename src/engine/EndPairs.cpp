@@ -36,7 +36,7 @@
 
 #include "engine/EndPairs.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     std::optional<std::pair<std::size_t, std::size_t>> EndPairs::next(const Query &query)
     {
@@ -56,4 +56,4 @@ namespace ompl_mfa
     {
         --goals_[last_];
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -44,7 +44,7 @@
 
 #include "engine/Query.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief The pairs of start and goal of a query, each once, as they become known. */
     class EndPairs
@@ -60,6 +60,6 @@ namespace ompl_mfa
         std::vector<std::size_t> goals_;  ///< of each start: goals with which it was returned
         std::size_t last_{0};             ///< start of the last pair
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

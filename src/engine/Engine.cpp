@@ -50,7 +50,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -65,7 +65,7 @@ namespace ompl_mfa
         class StopConditionScope
         {
         public:
-            StopConditionScope(PathEvaluator &evaluator, const ob::PlannerTerminationCondition &ptc)
+            StopConditionScope(path::PathEvaluator &evaluator, const ob::PlannerTerminationCondition &ptc)
               : evaluator_(evaluator)
             {
                 evaluator_.setStopCondition([&ptc] { return ptc(); });
@@ -80,7 +80,7 @@ namespace ompl_mfa
             StopConditionScope &operator=(const StopConditionScope &) = delete;
 
         private:
-            PathEvaluator &evaluator_;
+            path::PathEvaluator &evaluator_;
         };
 
         ob::OptimizationObjectivePtr objectiveOf(const ob::Planner &planner)
@@ -93,7 +93,7 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    Engine::Engine(const ob::Planner &owner, const StateChartPtr &chart, const SearchSettings &settings,
+    Engine::Engine(const ob::Planner &owner, const path::StateChartPtr &chart, const SearchSettings &settings,
                    std::uint64_t seed, const ob::PlannerAllocator &guest, SearchProgress &progress)
       : context_(owner, chart, objectiveOf(owner), settings, seed, progress)
       , bounds_(chart->bounds())
@@ -102,7 +102,7 @@ namespace ompl_mfa
       , proof_(context_)
     {
         context_.evaluator().setPartialPathEvent(
-            [this](const Waypoints &path, std::size_t motion, const ob::State *lastValid)
+            [this](const path::Waypoints &path, std::size_t motion, const ob::State *lastValid)
             { offerPartial(path, motion, lastValid); });
         for (const auto &part : parts_.parts)
             sharing_.add(part->firstShare());
@@ -119,7 +119,7 @@ namespace ompl_mfa
     {
         Incumbent &incumbent = context_.incumbent;
         const bool exact = incumbent.hasPath();
-        const Waypoints &path = exact ? incumbent.path() : incumbent.partialPath();
+        const path::Waypoints &path = exact ? incumbent.path() : incumbent.partialPath();
         if (path.empty())
             return true;
         if (exact && !context_.query.isAnsweredBy(path))
@@ -130,7 +130,7 @@ namespace ompl_mfa
             isSatisfied(*context_.query.goal(), context_.chart->guard(), path.back(), &distance);
             incumbent.setPartialDistance(distance);
         }
-        PathEvaluator &evaluator = context_.evaluator();
+        path::PathEvaluator &evaluator = context_.evaluator();
         const StopConditionScope stopCondition(evaluator, ptc);
         const bool holds = evaluator.stopped() || (evaluator.checkState(path.front()) && evaluator.checkPath(path)) ||
                            evaluator.interrupted();
@@ -201,7 +201,7 @@ namespace ompl_mfa
 
     void Engine::takeTurn(std::size_t number)
     {
-        PathEvaluator &evaluator = context_.evaluator();
+        path::PathEvaluator &evaluator = context_.evaluator();
         SearchPart &part = *parts_.parts[number];
         const SearchSettings &settings = context_.settings;
         const TurnMeter meter(evaluator, settings.seed != 0 ? 1e-6 * settings.stateCheckTime : 0.0);
@@ -231,7 +231,7 @@ namespace ompl_mfa
     /* A raw path is far from the best of its homotopy class: it is compared after tightening. */
     void Engine::consider(Proposal proposal)
     {
-        PathEvaluator &evaluator = context_.evaluator();
+        path::PathEvaluator &evaluator = context_.evaluator();
         Incumbent &incumbent = context_.incumbent;
         if (!proposal.cost)
         {
@@ -257,7 +257,7 @@ namespace ompl_mfa
     void Engine::consider(const Detour &detour)
     {
         ob::Cost cost = detour.cost;
-        const Waypoints *segment = &detour.segment;
+        const path::Waypoints *segment = &detour.segment;
         if (parts_.refiner != nullptr)
             segment = &parts_.refiner->refine(detour.segment, cost, detour.rival);
         if (context_.objective().isCostBetterThan(cost, detour.rival))
@@ -307,7 +307,7 @@ namespace ompl_mfa
     }
 
     /* The piece of the motion up to the last valid state is discretised by itself and may not be valid. */
-    void Engine::offerPartial(const Waypoints &path, std::size_t motion, const ob::State *lastValid)
+    void Engine::offerPartial(const path::Waypoints &path, std::size_t motion, const ob::State *lastValid)
     {
         double distance = 0.0;
         isSatisfied(*context_.query.goal(), context_.chart->guard(), lastValid, &distance);
@@ -323,4 +323,4 @@ namespace ompl_mfa
         if (context_.incumbent.hasPath())
             graph.addPath(context_.incumbent.path());
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -52,7 +52,7 @@
 #include "engine/StraightMotions.h"
 #include "engine/TurnSharing.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief The search for one query: decides whose turn it is, what becomes of the paths that the parts propose, and
         when the search is over. */
@@ -61,7 +61,7 @@ namespace ompl_mfa
     public:
         /** \brief As SearchContext; \e guest makes a planner that takes turns with the other parts, or is null. Throws
             ompl::Exception where nothing searches, or if \e guest returns no planner. */
-        Engine(const ompl::base::Planner &owner, const StateChartPtr &chart, const SearchSettings &settings,
+        Engine(const ompl::base::Planner &owner, const path::StateChartPtr &chart, const SearchSettings &settings,
                std::uint64_t seed, const ompl::base::PlannerAllocator &guest, SearchProgress &progress);
         ~Engine();
         Engine(const Engine &) = delete;
@@ -88,7 +88,7 @@ namespace ompl_mfa
         void explain(SearchGraph &graph) const;
 
         /** \brief The swarms of the search; null where no fireflies fly. */
-        const Swarms *swarms() const
+        const fireflies::Swarms *swarms() const
         {
             return parts_.swarms.get();
         }
@@ -106,7 +106,7 @@ namespace ompl_mfa
         void credit(std::optional<PartKind> origin, double gain);
         void updatePhase();
         bool pathHolds(const ompl::base::PlannerTerminationCondition &ptc);
-        void offerPartial(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
+        void offerPartial(const path::Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
 
         SearchContext context_;
         std::vector<double> bounds_;  ///< of the space when the search began
@@ -120,6 +120,6 @@ namespace ompl_mfa
         bool improving_{false};          ///< whether the parts share the time as they do once there is a path
         std::function<void()> mayPublish_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

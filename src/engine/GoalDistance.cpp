@@ -48,7 +48,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -56,9 +56,9 @@ namespace ompl_mfa
         std::vector<const ob::State *> measuredStates(const ob::Goal &goal)
         {
             std::vector<const ob::State *> states;
-            if (isExactly<ob::GoalState>(goal))
+            if (path::isExactly<ob::GoalState>(goal))
                 states.push_back(goal.as<ob::GoalState>()->getState());
-            else if (isExactly<ob::GoalStates, ob::GoalLazySamples>(goal))
+            else if (path::isExactly<ob::GoalStates, ob::GoalLazySamples>(goal))
             {
                 const auto &listed = *goal.as<ob::GoalStates>();
                 for (unsigned int i = 0; i < listed.getStateCount(); ++i)
@@ -68,7 +68,7 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    bool isSatisfied(const ob::Goal &goal, const DubinsGuard &guard, const ob::State *state, double *distance)
+    bool isSatisfied(const ob::Goal &goal, const path::DubinsGuard &guard, const ob::State *state, double *distance)
     {
         const auto ask = [&]
         { return distance != nullptr ? goal.isSatisfied(state, distance) : goal.isSatisfied(state); };
@@ -84,4 +84,4 @@ namespace ompl_mfa
             *distance = nearest;
         return nearest <= goal.as<ob::GoalRegion>()->getThreshold();
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -42,13 +42,13 @@
 
 #include "path/DubinsGuard.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief Goal::isSatisfied, with the \e distance to the goal where one is asked for. OMPL's own goals that list
         states measure the distance to each of them; where OMPL cannot compute one, those of \e guard are taken instead.
      */
-    bool isSatisfied(const ompl::base::Goal &goal, const DubinsGuard &guard, const ompl::base::State *state,
+    bool isSatisfied(const ompl::base::Goal &goal, const path::DubinsGuard &guard, const ompl::base::State *state,
                      double *distance);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

@@ -42,7 +42,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     Incumbent::Incumbent(ob::OptimizationObjectivePtr objective, const ob::StateSpacePtr &space,
                          std::atomic<double> &cost)
@@ -61,7 +61,7 @@ namespace ompl_mfa
 
     double Incumbent::bound() const
     {
-        return !hasPath() || hasFinitePath() ? cost() : worstFiniteCost(*objective_);
+        return !hasPath() || hasFinitePath() ? cost() : path::worstFiniteCost(*objective_);
     }
 
     bool Incumbent::improvedBy(double cost) const
@@ -69,7 +69,7 @@ namespace ompl_mfa
         return path_.empty() || objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(this->cost()));
     }
 
-    bool Incumbent::offer(const Waypoints &path, double cost, std::optional<PartKind> origin)
+    bool Incumbent::offer(const path::Waypoints &path, double cost, std::optional<PartKind> origin)
     {
         if (!improvedBy(cost))
             return false;
@@ -80,7 +80,7 @@ namespace ompl_mfa
         return true;
     }
 
-    bool Incumbent::offerPartial(const Waypoints &path, std::size_t count, const ob::State *last, double distance)
+    bool Incumbent::offerPartial(const path::Waypoints &path, std::size_t count, const ob::State *last, double distance)
     {
         if (!(distance < partialDistance_))
             return false;
@@ -91,4 +91,4 @@ namespace ompl_mfa
         partialDistance_ = distance;
         return true;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -47,7 +47,7 @@
 #include "engine/PartKind.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief The best path known: valid from a start to a goal once there is one, and until then the path whose end
         came nearest to the goal. */
@@ -72,7 +72,7 @@ namespace ompl_mfa
             cost the extreme finite number, which all finite costs beat; else cost(). */
         double bound() const;
 
-        const Waypoints &path() const
+        const path::Waypoints &path() const
         {
             return path_;
         }
@@ -88,7 +88,7 @@ namespace ompl_mfa
 
         /** \brief Keeps \e path, whose motions are all valid, if it is better than the best so far. \e origin is the
             part that found it, if one did. */
-        bool offer(const Waypoints &path, double cost, std::optional<PartKind> origin = std::nullopt);
+        bool offer(const path::Waypoints &path, double cost, std::optional<PartKind> origin = std::nullopt);
 
         /** \brief The part that found the best path, if one did. */
         std::optional<PartKind> origin() const
@@ -103,7 +103,7 @@ namespace ompl_mfa
         }
 
         /** \brief The path that came nearest to the goal. */
-        const Waypoints &partialPath() const
+        const path::Waypoints &partialPath() const
         {
             return partial_;
         }
@@ -121,17 +121,18 @@ namespace ompl_mfa
         }
 
         /** \brief Keeps the first \e count states of \e path and \e last, if \e last is nearer to the goal. */
-        bool offerPartial(const Waypoints &path, std::size_t count, const ompl::base::State *last, double distance);
+        bool offerPartial(const path::Waypoints &path, std::size_t count, const ompl::base::State *last,
+                          double distance);
 
     private:
         ompl::base::OptimizationObjectivePtr objective_;
-        Waypoints path_;
-        Waypoints partial_;
+        path::Waypoints path_;
+        path::Waypoints partial_;
         std::atomic<double> &cost_;
         std::uint64_t improvements_{0};
         std::optional<PartKind> origin_;
         double partialDistance_{std::numeric_limits<double>::infinity()};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

@@ -38,7 +38,7 @@
 
 #include <ompl/util/RandomNumbers.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -70,14 +70,14 @@ namespace ompl_mfa
        may charge the straight motion more than a detour. */
     bool OptimalityProof::boundsHold()
     {
-        PathEvaluator &evaluator = context_.evaluator();
-        const CostBounds &bounds = evaluator.bounds();
+        path::PathEvaluator &evaluator = context_.evaluator();
+        const path::CostBounds &bounds = evaluator.bounds();
         if (bounds.certain())
             return true;
         const Query &query = context_.query;
         const auto &space = context_.chart->space();
         ompl::RNG rng(static_cast<std::uint_fast32_t>(streamSeed(context_.seed, Stream::Detours, probes_)));
-        Waypoints detour(space);
+        path::Waypoints detour(space);
         detour.resize(3);
         for (; probes_ < PROBES && bounds.admissible(); ++probes_)
         {
@@ -90,4 +90,4 @@ namespace ompl_mfa
         }
         return bounds.admissible();
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

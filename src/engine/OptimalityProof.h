@@ -40,7 +40,7 @@
 #include "engine/PairBounds.h"
 #include "engine/SearchContext.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief Tells when the best path is the best possible by the objective's lower bounds. */
     class OptimalityProof
@@ -60,6 +60,6 @@ namespace ompl_mfa
         PairBounds pairs_;
         unsigned int probes_{0};  ///< detours held against the objective's bounds
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

@@ -40,7 +40,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -48,7 +48,7 @@ namespace ompl_mfa
         constexpr std::size_t PAIRS_AT_ONCE = 1000;
     }  // namespace
 
-    PairBounds::PairBounds(const CostBounds &bounds)
+    PairBounds::PairBounds(const path::CostBounds &bounds)
       : bounds_(bounds)
     {
     }
@@ -71,7 +71,7 @@ namespace ompl_mfa
         }
     }
 
-    void PairBounds::update(const Waypoints &starts, const Waypoints &goals)
+    void PairBounds::update(const path::Waypoints &starts, const path::Waypoints &goals)
     {
         if (starts.size() < ofStart_.size() || goals.size() < ofGoal_.size())
         {
@@ -112,9 +112,9 @@ namespace ompl_mfa
         return j >= ofGoal_.size() || bounds_.canBeat(ofGoal_[j], bound);
     }
 
-    bool PairBounds::isBest(double cost, const Waypoints &starts, const Waypoints &goals) const
+    bool PairBounds::isBest(double cost, const path::Waypoints &starts, const path::Waypoints &goals) const
     {
         return bounds_.admissible() && ofStart_.size() == starts.size() && ofGoal_.size() == goals.size() &&
                !better(best_, cost) && !better(cost, best_);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

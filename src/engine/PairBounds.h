@@ -44,7 +44,7 @@
 #include "path/CostBounds.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief Lower bounds of the cost between the starts and the goals of a query, each pair computed once. What is
         asked of them afterwards takes constant time, however many pairs there are. */
@@ -52,11 +52,11 @@ namespace ompl_mfa
     {
     public:
         /** \brief \e bounds outlives the object. */
-        explicit PairBounds(const CostBounds &bounds);
+        explicit PairBounds(const path::CostBounds &bounds);
 
         /** \brief Takes up the states that were appended to \e starts and \e goals since the last call, some thousand
             pairs at a time. Fewer states than before are those of another query. */
-        void update(const Waypoints &starts, const Waypoints &goals);
+        void update(const path::Waypoints &starts, const path::Waypoints &goals);
 
         /** \brief Whether a path that begins at start \e i can be better than \e bound (infinite: any). True of a
             start that was not taken up yet. */
@@ -68,17 +68,17 @@ namespace ompl_mfa
         /** \brief Whether a path of cost \e cost is the best that the bounds allow: none of the pairs of \e starts and
             \e goals promises better, and one promises just this. A cost that is better than all bounds proves nothing,
             but that they are none. */
-        bool isBest(double cost, const Waypoints &starts, const Waypoints &goals) const;
+        bool isBest(double cost, const path::Waypoints &starts, const path::Waypoints &goals) const;
 
     private:
         void add(const ompl::base::State *start, std::size_t i, const ompl::base::State *goal, std::size_t j);
         bool better(double a, double b) const;
 
-        const CostBounds &bounds_;
+        const path::CostBounds &bounds_;
         std::vector<double> ofStart_;  ///< the best over all goals
         std::vector<double> ofGoal_;   ///< the best over all starts
         double best_{std::numeric_limits<double>::quiet_NaN()};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

@@ -39,7 +39,7 @@
 
 #include <array>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief The parts that a search can have, in the order in which they are registered. */
     enum class PartKind : unsigned char
@@ -56,6 +56,6 @@ namespace ompl_mfa
     /** \brief Names of the parts, by PartKind, as users read them. */
     inline constexpr std::array<const char *, 7> PART_NAMES{"fireflies", "recombination", "tightening", "trees",
                                                             "roadmap",   "guide planner", "goal search"};
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

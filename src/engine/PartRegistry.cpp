@@ -48,7 +48,7 @@
 #include "engine/guides/TreePart.h"
 #include "engine/refinement/TighteningPart.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -70,24 +70,24 @@ namespace ompl_mfa
 
         void addSwarms(const SearchContext &context, PartList &list)
         {
-            Swarms::Options options;
+            fireflies::Swarms::Options options;
             options.guided = list.guided;
             options.fireflies = fireflySettings(context.settings, POPULATION);
-            list.swarms = std::make_shared<Swarms>(context, options);
-            list.parts.push_back(std::make_unique<FireflyPart>(context, list.swarms));
+            list.swarms = std::make_shared<fireflies::Swarms>(context, options);
+            list.parts.push_back(std::make_unique<fireflies::FireflyPart>(context, list.swarms));
             if (context.settings.recombination)
-                list.parts.push_back(std::make_unique<RecombinationPart>(context, list.swarms));
+                list.parts.push_back(std::make_unique<fireflies::RecombinationPart>(context, list.swarms));
         }
 
         PartList paperParts(const SearchContext &context)
         {
-            Swarms::Options options;
-            options.coordinates = Swarm::Coordinates::Offsets;
+            fireflies::Swarms::Options options;
+            options.coordinates = fireflies::Swarm::Coordinates::Offsets;
             options.windows = options.bounded = false;
             options.fireflies = fireflySettings(context.settings, PAPER_POPULATION);
             PartList list;
-            list.swarms = std::make_shared<Swarms>(context, options);
-            list.parts.push_back(std::make_unique<FireflyPart>(context, list.swarms));
+            list.swarms = std::make_shared<fireflies::Swarms>(context, options);
+            list.parts.push_back(std::make_unique<fireflies::FireflyPart>(context, list.swarms));
             return list;
         }
     }  // namespace
@@ -108,19 +108,19 @@ namespace ompl_mfa
                 addSwarms(context, list);
             if (settings.tightening)
             {
-                auto tightening = std::make_unique<TighteningPart>(context);
+                auto tightening = std::make_unique<refinement::TighteningPart>(context);
                 list.refiner = tightening.get();
                 list.parts.push_back(std::move(tightening));
             }
             if (settings.usesTrees())
-                list.parts.push_back(std::make_unique<TreePart>(context));
+                list.parts.push_back(std::make_unique<guides::TreePart>(context));
             if (settings.usesRoadmap())
-                list.parts.push_back(std::make_unique<RoadmapPart>(context, settings.usesTrees()));
+                list.parts.push_back(std::make_unique<guides::RoadmapPart>(context, settings.usesTrees()));
             if (guest)
-                list.parts.push_back(std::make_unique<GuestPlannerPart>(context, guest));
+                list.parts.push_back(std::make_unique<guides::GuestPlannerPart>(context, guest));
         }
         if (context.query.needsGoalSearch())
-            list.parts.push_back(std::make_unique<GoalSearchPart>(context));
+            list.parts.push_back(std::make_unique<fireflies::GoalSearchPart>(context));
         return list;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

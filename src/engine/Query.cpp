@@ -50,7 +50,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -103,13 +103,13 @@ namespace ompl_mfa
             return false;
         }
 
-        bool isAmong(const Waypoints &states, const ob::State *state, std::size_t &last)
+        bool isAmong(const path::Waypoints &states, const ob::State *state, std::size_t &last)
         {
             return isAmong(
                 states.size(), [&](std::size_t k) { return states[k]; }, *states.space(), state, last);
         }
 
-        bool isAmong(const Waypoints &states, const ob::State *state)
+        bool isAmong(const path::Waypoints &states, const ob::State *state)
         {
             std::size_t last = 0;
             return isAmong(states, state, last);
@@ -162,7 +162,7 @@ namespace ompl_mfa
         return true;
     }
 
-    bool Query::isAnsweredBy(const Waypoints &path) const
+    bool Query::isAnsweredBy(const path::Waypoints &path) const
     {
         return isAmong(starts_, path.front()) &&
                (isAmong(goals_, path.back()) || isSatisfied(*goal_, guard_, path.back(), nullptr));
@@ -318,4 +318,4 @@ namespace ompl_mfa
     {
         return goals_.size() >= MAX_GOALS;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -49,7 +49,7 @@
 #include "path/StateChart.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief The start and goal states of a problem definition that are known so far, each of them once. Goals may
         arrive late. The problem definition may be another one in each solve(), and its states and its goal may change
@@ -66,7 +66,7 @@ namespace ompl_mfa
 
         /** \brief Whether \e path begins at one of starts() and ends at one of goals() or where the goal is satisfied
             otherwise. */
-        bool isAnsweredBy(const Waypoints &path) const;
+        bool isAnsweredBy(const path::Waypoints &path) const;
 
         /** \brief Remembers what \e pdef asks. To be called once, before begin(). */
         void ask(const ompl::base::ProblemDefinition &pdef);
@@ -91,12 +91,12 @@ namespace ompl_mfa
         /** \brief Whether there are so many goal states that no more are taken. */
         bool hasEnoughGoals() const;
 
-        const Waypoints &starts() const
+        const path::Waypoints &starts() const
         {
             return starts_;
         }
 
-        const Waypoints &goals() const
+        const path::Waypoints &goals() const
         {
             return goals_;
         }
@@ -124,9 +124,9 @@ namespace ompl_mfa
         bool takeStart(const ompl::base::State *state);
         bool goalsStillHold() const;
 
-        Waypoints starts_;
-        Waypoints goals_;
-        DubinsGuard guard_;
+        path::Waypoints starts_;
+        path::Waypoints goals_;
+        path::DubinsGuard guard_;
         std::vector<bool> satisfied_;  ///< whether each of goals_ satisfied the goal when it was taken
         ompl::base::SpaceInformationPtr si_;
         ompl::base::GoalPtr goal_;
@@ -136,6 +136,6 @@ namespace ompl_mfa
         std::uint64_t nextGoalPoll_{0};
         std::uint64_t sampled_{0};  ///< valid goal states that were sampled, known ones included
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

@@ -38,9 +38,9 @@
 
 #include <utility>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
-    SearchContext::SearchContext(const ompl::base::Planner &planner, StateChartPtr stateChart,
+    SearchContext::SearchContext(const ompl::base::Planner &planner, path::StateChartPtr stateChart,
                                  const ompl::base::OptimizationObjectivePtr &objective, SearchSettings frozen,
                                  std::uint64_t runSeed, SearchProgress &shown)
       : owner(planner)
@@ -50,8 +50,8 @@ namespace ompl_mfa
       , progress(shown)
       , query(planner.getSpaceInformation()->getStateSpace())
       , incumbent(objective, planner.getSpaceInformation()->getStateSpace(), shown.bestCost)
-      , evaluator_(std::make_unique<PathEvaluator>(planner.getSpaceInformation(), objective, settings.threads))
+      , evaluator_(std::make_unique<path::PathEvaluator>(planner.getSpaceInformation(), objective, settings.threads))
     {
         query.ask(*planner.getProblemDefinition());
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -51,7 +51,7 @@
 #include "path/PathEvaluator.h"
 #include "path/StateChart.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief What the search for one query has in common: its parts read it, and only the engine changes it. */
     class SearchContext
@@ -59,7 +59,7 @@ namespace ompl_mfa
     public:
         /** \brief \e planner is the one that searches; it tells which nearest-neighbour structure suits the space.
             \e runSeed != 0 is that of the run. \e planner and \e shown outlive the context. */
-        SearchContext(const ompl::base::Planner &planner, StateChartPtr stateChart,
+        SearchContext(const ompl::base::Planner &planner, path::StateChartPtr stateChart,
                       const ompl::base::OptimizationObjectivePtr &objective, SearchSettings frozen,
                       std::uint64_t runSeed, SearchProgress &shown);
 
@@ -80,13 +80,13 @@ namespace ompl_mfa
         }
 
         /** \brief The evaluator of the search, which counts its work. */
-        PathEvaluator &evaluator() const
+        path::PathEvaluator &evaluator() const
         {
             return *evaluator_;
         }
 
         const ompl::base::Planner &owner;
-        const StateChartPtr chart;
+        const path::StateChartPtr chart;
         const SearchSettings settings;
         const std::uint64_t seed;
         SearchProgress &progress;
@@ -95,8 +95,8 @@ namespace ompl_mfa
         Alternatives alternatives;
 
     private:
-        std::unique_ptr<PathEvaluator> evaluator_;
+        std::unique_ptr<path::PathEvaluator> evaluator_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

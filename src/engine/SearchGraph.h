@@ -43,7 +43,7 @@
 
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief What parts of the search know, as copies: states that are valid as far as they know, and motions that
        were found valid. */
@@ -55,7 +55,7 @@ namespace ompl_mfa
         }
 
         /** \brief Appends the states and motions of \e path, which leads from a start to a goal. */
-        void addPath(const Waypoints &path)
+        void addPath(const path::Waypoints &path)
         {
             const std::size_t first = states.size();
             for (std::size_t i = 0; i < path.size(); ++i)
@@ -68,11 +68,11 @@ namespace ompl_mfa
             goals.push_back(states.size() - 1);
         }
 
-        Waypoints states;
+        path::Waypoints states;
         std::vector<std::pair<std::size_t, std::size_t>> edges;  ///< from and to, into states
         std::vector<std::size_t> starts;                         ///< into states
         std::vector<std::size_t> goals;                          ///< into states
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

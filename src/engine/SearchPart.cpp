@@ -39,7 +39,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -49,9 +49,10 @@ namespace ompl_mfa
         constexpr double MOST_ROADMAP = 1.5;
     }  // namespace
 
-    Waypoints replaceSegment(const Waypoints &path, std::size_t first, std::size_t last, const Waypoints &segment)
+    path::Waypoints replaceSegment(const path::Waypoints &path, std::size_t first, std::size_t last,
+                                   const path::Waypoints &segment)
     {
-        Waypoints whole(path.space());
+        path::Waypoints whole(path.space());
         for (std::size_t i = 0; i < first; ++i)
             whole.append(path[i]);
         for (std::size_t i = 0; i < segment.size(); ++i)
@@ -75,13 +76,13 @@ namespace ompl_mfa
     {
     }
 
-    void SearchPart::propose(Waypoints path, Findings &findings) const
+    void SearchPart::propose(path::Waypoints path, Findings &findings) const
     {
         findings.paths.push_back({std::move(path), std::nullopt, Proposal::Stage::Raw, kind_});
     }
 
-    double roadmapFactor(const StateChart &chart)
+    double roadmapFactor(const path::StateChart &chart)
     {
         return std::min(MOST_ROADMAP, ROADMAP_DIMENSIONS / static_cast<double>(chart.dimension()));
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

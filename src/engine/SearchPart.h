@@ -47,7 +47,7 @@
 #include "engine/SearchGraph.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief A valid path from a start to a goal that a part of the search hands to the engine. */
     struct Proposal
@@ -59,22 +59,23 @@ namespace ompl_mfa
             Straight  ///< one motion, which nothing tightens
         };
 
-        Waypoints path;
+        path::Waypoints path;
         std::optional<ompl::base::Cost> cost;  ///< of path; computed by the engine where it is not given
         Stage stage{Stage::Raw};
         std::optional<PartKind> origin;  ///< the part that found the path; none for a straight motion
     };
 
     /** \brief \e path with \e segment in place of its vertices from \e first to \e last. */
-    Waypoints replaceSegment(const Waypoints &path, std::size_t first, std::size_t last, const Waypoints &segment);
+    path::Waypoints replaceSegment(const path::Waypoints &path, std::size_t first, std::size_t last,
+                                   const path::Waypoints &segment);
 
     /** \brief A valid segment that may replace one of a path: tightened, it is compared with that alone. */
     struct Detour
     {
-        Waypoints segment;
+        path::Waypoints segment;
         ompl::base::Cost cost;   ///< of segment
         ompl::base::Cost rival;  ///< cost of the segment to be replaced
-        Waypoints path;
+        path::Waypoints path;
         std::size_t first;  ///< vertex of path where the segment begins
         std::size_t last;   ///< vertex of path where it ends
         PartKind origin;
@@ -90,7 +91,7 @@ namespace ompl_mfa
 
         std::vector<Proposal> paths;
         std::vector<Detour> detours;
-        Waypoints goals;  ///< states that satisfy the goal
+        path::Waypoints goals;  ///< states that satisfy the goal
     };
 
     /** \brief How much of the time a part gets, relative to the others. */
@@ -150,7 +151,7 @@ namespace ompl_mfa
         }
 
         /** \brief Appends a raw path of this part's. */
-        void propose(Waypoints path, Findings &findings) const;
+        void propose(path::Waypoints path, Findings &findings) const;
 
     private:
         PartKind kind_;
@@ -165,12 +166,13 @@ namespace ompl_mfa
 
         /** \brief Tightens \e path of cost \e cost until it is better than \e rival, or for as long as what the last
             rounds gained promises that it will be. The result is valid until the next call. */
-        virtual const Waypoints &refine(const Waypoints &path, ompl::base::Cost &cost, ompl::base::Cost rival) = 0;
+        virtual const path::Waypoints &refine(const path::Waypoints &path, ompl::base::Cost &cost,
+                                              ompl::base::Cost rival) = 0;
     };
 
     /** \brief How much of the time suits a roadmap in a space of this dimension, relative to three dimensions: one of
         n states leaves gaps of n^(-1/d), so that it finds the less the more dimensions there are. */
-    double roadmapFactor(const StateChart &chart);
-}  // namespace ompl_mfa
+    double roadmapFactor(const path::StateChart &chart);
+}  // namespace ompl_mfa::engine
 
 #endif

@@ -44,7 +44,7 @@
 
 #include "engine/PartKind.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief Numbers of a search that other threads may read while it runs. */
     class SearchProgress
@@ -89,6 +89,6 @@ namespace ompl_mfa
     private:
         std::array<std::atomic<double>, PART_NAMES.size()> spent_{};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

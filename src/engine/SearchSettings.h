@@ -39,7 +39,7 @@
 
 #include <string>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief The parameters of a search with their defaults; mfaParameters() says what each means and accepts. A
        search works on a copy that does not change. */
@@ -76,6 +76,6 @@ namespace ompl_mfa
             return fireflies && !usesTrees() && !usesRoadmap() && !recombination && !tightening;
         }
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

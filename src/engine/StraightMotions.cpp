@@ -40,7 +40,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -58,7 +58,7 @@ namespace ompl_mfa
 
     void StraightMotions::advance(Findings &findings)
     {
-        PathEvaluator &evaluator = context_.evaluator();
+        path::PathEvaluator &evaluator = context_.evaluator();
         while (const auto pair = pairs_.next(context_.query))
         {
             if (evaluator.stopped())
@@ -66,7 +66,7 @@ namespace ompl_mfa
                 pairs_.putBack();
                 return;
             }
-            Waypoints straight = path(context_.query.starts()[pair->first], context_.query.goals()[pair->second]);
+            path::Waypoints straight = path(context_.query.starts()[pair->first], context_.query.goals()[pair->second]);
             const ob::Cost cost = evaluator.cost(straight);
             const bool valid = evaluator.checkPath(straight);
             if (evaluator.interrupted())
@@ -96,14 +96,14 @@ namespace ompl_mfa
     }
 
     /* The motion from start to goal; where OMPL cannot compute that, two motions over a state a little beside it. */
-    Waypoints StraightMotions::path(const ob::State *start, const ob::State *goal) const
+    path::Waypoints StraightMotions::path(const ob::State *start, const ob::State *goal) const
     {
-        const StateChart &chart = *context_.chart;
+        const path::StateChart &chart = *context_.chart;
         const auto &space = chart.space();
-        Waypoints path(space);
+        path::Waypoints path(space);
         path.append(start);
         path.append(goal);
-        const DubinsGuard &guard = chart.guard();
+        const path::DubinsGuard &guard = chart.guard();
         const double aside = ASIDE * chart.distance(start, goal);
         if (guard.allows(start, goal) || !std::isfinite(aside))
             return path;
@@ -119,4 +119,4 @@ namespace ompl_mfa
         }
         return path;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -41,7 +41,7 @@
 #include "engine/SearchContext.h"
 #include "engine/SearchPart.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief Tries the straight motion from every start to every goal, before anything else is searched. */
     class StraightMotions
@@ -57,13 +57,13 @@ namespace ompl_mfa
 
     private:
         void followFirst();
-        Waypoints path(const ompl::base::State *start, const ompl::base::State *goal) const;
+        path::Waypoints path(const ompl::base::State *start, const ompl::base::State *goal) const;
 
         const SearchContext &context_;
         bool guided_;
         EndPairs pairs_;
         bool followed_{false};  ///< whether the first straight motion has served as partial path
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

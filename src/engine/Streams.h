@@ -41,15 +41,15 @@
 
 #include "ompl_mfa/optimizer/RandomSource.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief Every stream of random numbers in a run. What draws numbers has a stream of its own here, so that no two
         parts of a run draw the same ones, nor do two runs with different seeds. */
     enum class Stream : std::uint64_t
     {
         // of a run
-        Trees,          ///< TreeGuide
-        Roadmap,        ///< RoadmapGuide
+        Trees,          ///< TreePart
+        Roadmap,        ///< RoadmapPart
         Tightening,     ///< PathTightening of the best path
         NewTightening,  ///< PathTightening of new paths
         Windows,        ///< which windows are opened
@@ -69,6 +69,6 @@ namespace ompl_mfa
     {
         return deriveSeed(seed, static_cast<std::uint64_t>(stream), index);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

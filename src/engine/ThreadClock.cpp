@@ -42,7 +42,7 @@
 #include <sys/resource.h>
 #endif
 
-namespace ompl_mfa::thread_clock
+namespace ompl_mfa::engine::thread_clock
 {
 #ifdef __linux__
     double processorTime()
@@ -70,4 +70,4 @@ namespace ompl_mfa::thread_clock
         return ++asked;
     }
 #endif
-}  // namespace ompl_mfa::thread_clock
+}  // namespace ompl_mfa::engine::thread_clock

@@ -37,7 +37,7 @@
 #ifndef OMPL_MFA_ENGINE_THREAD_CLOCK_
 #define OMPL_MFA_ENGINE_THREAD_CLOCK_
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief What the operating system knows of the calling thread: the only part of the planner that is not portable
         C++. On systems other than Linux processorTime() is 0 and waits() differs with each call, so that wall time
@@ -51,6 +51,6 @@ namespace ompl_mfa
             processor. */
         long waits();
     }  // namespace thread_clock
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

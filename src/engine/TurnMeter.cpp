@@ -48,7 +48,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -98,7 +98,7 @@ namespace ompl_mfa
         return static_cast<std::uint64_t>(std::min(n, perLevel * std::log2(n + 1.0)));
     }
 
-    TurnMeter::TurnMeter(const PathEvaluator &evaluator, double stateCheckTime)
+    TurnMeter::TurnMeter(const path::PathEvaluator &evaluator, double stateCheckTime)
       : evaluator_(evaluator)
       , stateCheckTime_(stateCheckTime)
       , distanceTime_(stateCheckTime > 0.0 ? distanceTime(*evaluator.spaceInformation()->getStateSpace()) : 0.0)
@@ -123,4 +123,4 @@ namespace ompl_mfa
             return std::max(thread_clock::processorTime() - processorBegin_, SHORTEST);
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

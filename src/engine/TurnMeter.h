@@ -42,7 +42,7 @@
 
 #include "path/PathEvaluator.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief What it takes to compute a distance of the space and to use it in a search of nearest neighbours, in s,
        on a machine of 2020 or so: an estimate that is the same on all machines. */
@@ -63,13 +63,13 @@ namespace ompl_mfa
     public:
         /** \brief By the clock, or if \e stateCheckTime (s) is positive by the work of \e evaluator, which outlives
             the meter. */
-        TurnMeter(const PathEvaluator &evaluator, double stateCheckTime);
+        TurnMeter(const path::PathEvaluator &evaluator, double stateCheckTime);
 
         /** \brief Seconds since the meter was made; positive. */
         double spent() const;
 
     private:
-        const PathEvaluator &evaluator_;
+        const path::PathEvaluator &evaluator_;
         double stateCheckTime_;
         double distanceTime_;
         std::uint64_t checks_;
@@ -79,6 +79,6 @@ namespace ompl_mfa
         double processorBegin_;
         long waits_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

@@ -39,7 +39,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -116,4 +116,4 @@ namespace ompl_mfa
         for (Part &p : parts_)
             p.share = p.floor + (p.work > 0.0 ? PAYOFF * p.gain / p.work : 0.0) / sum;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -43,7 +43,7 @@
 
 #include "engine/SearchPart.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     /** \brief Shares work between parts that take turns: each has a share, which grows with what the part gained for
        its recent work and never falls below a floor. */
@@ -79,6 +79,6 @@ namespace ompl_mfa
 
         std::vector<Part> parts_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine
 
 #endif

@@ -55,7 +55,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -172,4 +172,4 @@ namespace ompl_mfa
             return true;
         return canBeat(combine(lowerBoundTo(start, state), lowerBoundFrom(state, goal)), bound);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

@@ -42,7 +42,7 @@
 
 #include "path/DubinsGuard.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief The finite cost that all other finite costs beat. */
     double worstFiniteCost(const ompl::base::OptimizationObjective &objective);
@@ -120,6 +120,6 @@ namespace ompl_mfa
         bool admissible_{true};
         bool monotone_{true};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

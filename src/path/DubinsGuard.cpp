@@ -49,7 +49,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -302,4 +302,4 @@ namespace ompl_mfa
         // no curve leads from one to the other: the nearer end stands for what lies between
         space_->copyState(state, t < 0.5 ? from : to);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

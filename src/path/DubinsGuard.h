@@ -43,7 +43,7 @@
 #include <ompl/base/State.h>
 #include <ompl/base/StateSpace.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief Keeps pairs of states from OMPL for which it cannot compute a Dubins curve.
 
@@ -112,6 +112,6 @@ namespace ompl_mfa
         ompl::base::StateSpacePtr space_;
         std::vector<Curve> curves_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

@@ -39,7 +39,7 @@
 
 #include <typeinfo>
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief Whether \e object, known as its \e Base, is of one of the \e Types itself and not of a type that a user
         derived from it, which may behave otherwise. */
@@ -48,6 +48,6 @@ namespace ompl_mfa
     {
         return ((typeid(object) == typeid(Types)) || ...);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

@@ -39,7 +39,7 @@
 
 #include <ompl/base/State.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief A motion between two states that belong to somebody else. */
     struct Motion
@@ -47,6 +47,6 @@ namespace ompl_mfa
         const ompl::base::State *from;
         const ompl::base::State *to;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

@@ -46,7 +46,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -182,4 +182,4 @@ namespace ompl_mfa
             pool_.run(count - 1, [&](std::size_t thread, std::size_t i) { return check(thread, i + 1); });
         return invalid;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

@@ -47,7 +47,7 @@
 #include "path/Waypoints.h"
 #include "path/WorkerPool.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief Validity checks by several threads, for checkers and motion validators that may be called from them.
 
@@ -91,6 +91,6 @@ namespace ompl_mfa
         std::vector<std::pair<unsigned int, unsigned int>> intervals_;
         double motionTime_{0.0};  ///< that the last whole motion took, s
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

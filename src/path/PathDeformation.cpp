@@ -40,7 +40,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -93,4 +93,4 @@ namespace ompl_mfa
         }
         return true;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

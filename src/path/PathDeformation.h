@@ -40,7 +40,7 @@
 #include "path/PathEvaluator.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief Whether \e path seems to be of the same homotopy class as \e other: whether \e rungs motions between
        them, at equal parts of their lengths, are all valid. Two paths of one class may fail the test, and two of
@@ -50,6 +50,6 @@ namespace ompl_mfa
         27(11-12), 2008, whose visibility deformation is tested here at a few places. */
     bool seemDeformable(PathEvaluator &evaluator, const Waypoints &path, const Waypoints &other,
                         unsigned int rungs = 7);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

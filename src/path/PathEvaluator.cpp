@@ -44,7 +44,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -412,4 +412,4 @@ namespace ompl_mfa
         }
         return result.violation == 0.0;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

@@ -54,7 +54,7 @@
 #include "path/ParallelChecks.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief Cost and validity of waypoint paths, as lazily as they can be had: cost first, through the
         OptimizationObjective; then one motion after the other through SpaceInformation::checkMotion, and no more of
@@ -256,6 +256,6 @@ namespace ompl_mfa
         std::size_t lastInvalid_{0};
         bool interrupted_{false};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

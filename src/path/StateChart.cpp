@@ -54,7 +54,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -333,4 +333,4 @@ namespace ompl_mfa
             }
         }
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

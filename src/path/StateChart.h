@@ -51,7 +51,7 @@
 
 #include "path/DubinsGuard.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief Local coordinates of a state space: a vector of R^d for the step from one state to another, and back.
 
@@ -198,6 +198,6 @@ namespace ompl_mfa
     };
 
     using StateChartPtr = std::shared_ptr<const StateChart>;
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

@@ -41,7 +41,7 @@
 
 #include <ompl/geometric/PathGeometric.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     Waypoints::Waypoints(ompl::base::StateSpacePtr space)
       : space_(std::move(space))
@@ -148,4 +148,4 @@ namespace ompl_mfa
     {
         std::reverse(states_.begin(), states_.begin() + static_cast<std::ptrdiff_t>(size_));
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

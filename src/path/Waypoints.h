@@ -48,7 +48,7 @@ namespace ompl::geometric
     class PathGeometric;
 }
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief A sequence of states of one space that owns its states and reuses their memory when it changes length.
 
@@ -137,6 +137,6 @@ namespace ompl_mfa
         std::vector<ompl::base::State *> states_;
         std::size_t size_{0};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

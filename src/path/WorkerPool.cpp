@@ -39,7 +39,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     WorkerPool::WorkerPool(unsigned int threads)
     {
@@ -136,4 +136,4 @@ namespace ompl_mfa
                 left_.notify_one();
         }
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

@@ -46,7 +46,7 @@
 #include <thread>
 #include <vector>
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief Threads that help the calling one with many small tasks. They sleep in between. */
     class WorkerPool
@@ -90,6 +90,6 @@ namespace ompl_mfa
         std::atomic<bool> all_{true};
         std::vector<std::thread> workers_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

@@ -46,7 +46,7 @@
 
 #include "text/NumberText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -167,4 +167,4 @@ namespace ompl_mfa
     {
         return "0, 1, false, true";
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

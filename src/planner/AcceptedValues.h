@@ -43,7 +43,7 @@
 
 #include <ompl/util/Exception.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     /** \brief The numbers that a parameter of type \e T (unsigned int or double) accepts, and their text: a closed
         interval, and at most one number apart from it. Text is the same in every locale. */
@@ -124,6 +124,6 @@ namespace ompl_mfa
         if (!accepted.contains(value))
             throw ompl::Exception(name + " = " + accepted.write(value) + ": accepted is " + accepted.description());
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner
 
 #endif

@@ -86,23 +86,24 @@ namespace ompl_mfa
         addPlannerProgressProperty("best cost REAL", [this] { return ompl::toString(bestCost()); });
         addPlannerProgressProperty("iterations INTEGER", [this] { return std::to_string(iterations()); });
         addPlannerProgressProperty("evaluations INTEGER", [this] { return std::to_string(evaluations()); });
-        for (std::size_t i = 0; i < PART_NAMES.size(); ++i)
-            addPlannerProgressProperty("share of " + std::string(PART_NAMES[i]) + " REAL", [this, i]
-                                       { return ompl::toString(implementation_->progress.share(PartKind(i))); });
+        for (std::size_t i = 0; i < engine::PART_NAMES.size(); ++i)
+            addPlannerProgressProperty(
+                "share of " + std::string(engine::PART_NAMES[i]) + " REAL",
+                [this, i] { return ompl::toString(implementation_->progress.share(engine::PartKind(i))); });
     }
 
     void MFA::declareParameters()
     {
         const auto declare = [this](const auto &parameter)
         {
-            SearchSettings &settings = implementation_->settings;
+            engine::SearchSettings &settings = implementation_->settings;
             const auto member = parameter.member;
             using T = std::decay_t<decltype(settings.*member)>;
-            params_.add(std::make_shared<RangedParam<T>>(
+            params_.add(std::make_shared<planner::RangedParam<T>>(
                 parameter.name, parameter.accepted, [&settings, member](const T &value) { settings.*member = value; },
                 [&settings, member] { return settings.*member; }));
         };
-        for (const auto &parameter : mfaParameters())
+        for (const auto &parameter : planner::mfaParameters())
             std::visit(declare, parameter);
     }
 
@@ -110,7 +111,7 @@ namespace ompl_mfa
     {
         Planner::setup();
         setup_ = false;  // where the space is refused, it is refused each time
-        implementation_->chart = std::make_shared<StateChart>(si_->getStateSpace());
+        implementation_->chart = std::make_shared<path::StateChart>(si_->getStateSpace());
         requireFiniteExtent(*this);
         setup_ = true;
     }
@@ -118,14 +119,14 @@ namespace ompl_mfa
     void MFA::clear()
     {
         Planner::clear();
-        const SearchLock::Search lock(implementation_->lock);
+        const planner::SearchLock::Search lock(implementation_->lock);
         forgetSearch();
     }
 
     void MFA::forgetSearch()
     {
         implementation_->engine.reset();
-        implementation_->publisher = SolutionPublisher();
+        implementation_->publisher = planner::SolutionPublisher();
         implementation_->progress.reset();
     }
 
@@ -140,7 +141,7 @@ namespace ompl_mfa
     {
         checkValidity();
         Implementation &search = *implementation_;
-        const SearchLock::Search lock(search.lock);
+        const planner::SearchLock::Search lock(search.lock);
         // wherever the condition is evaluated, what other threads may ask for is complete
         const ob::PlannerTerminationCondition watched(
             [&]
@@ -149,7 +150,7 @@ namespace ompl_mfa
                 return ptc();
             });
         prepareQuery(watched);
-        const SearchContext &context = search.engine->context();
+        const engine::SearchContext &context = search.engine->context();
         search.publisher.begin(pdef_);
         const auto status =
             search.engine->search(pis_, watched, [&] { search.publisher.publishIfDue(context, *this, search.lock); });
@@ -173,27 +174,27 @@ namespace ompl_mfa
         const std::uint64_t seed = search.settings.seed != 0
                                        ? search.settings.seed
                                        : static_cast<std::uint64_t>(search.rng.uniformInt(1, 1 << 30));
-        search.engine =
-            std::make_unique<Engine>(*this, search.chart, search.settings, seed, search.guidePlanner, search.progress);
+        search.engine = std::make_unique<engine::Engine>(*this, search.chart, search.settings, seed,
+                                                         search.guidePlanner, search.progress);
     }
 
     void MFA::getPlannerData(ob::PlannerData &data) const
     {
         Planner::getPlannerData(data);
-        const SearchLock::Reader lock(implementation_->lock);
-        SearchGraph graph(si_->getStateSpace());
+        const planner::SearchLock::Reader lock(implementation_->lock);
+        engine::SearchGraph graph(si_->getStateSpace());
         if (implementation_->engine)
             implementation_->engine->explain(graph);
-        exportTo(data, graph);
+        planner::exportTo(data, graph);
     }
 
     std::vector<og::PathGeometric> MFA::getSwarmPaths() const
     {
-        const SearchLock::Reader lock(implementation_->lock);
+        const planner::SearchLock::Reader lock(implementation_->lock);
         std::vector<og::PathGeometric> paths;
         if (!implementation_->engine || implementation_->engine->swarms() == nullptr)
             return paths;
-        for (const Waypoints &path : implementation_->engine->swarms()->currentPaths())
+        for (const path::Waypoints &path : implementation_->engine->swarms()->currentPaths())
         {
             paths.emplace_back(si_);
             path.appendTo(paths.back());
@@ -203,12 +204,12 @@ namespace ompl_mfa
 
     std::vector<og::PathGeometric> MFA::getSlicePaths() const
     {
-        const SearchLock::Reader lock(implementation_->lock);
+        const planner::SearchLock::Reader lock(implementation_->lock);
         std::vector<og::PathGeometric> paths;
-        const Swarms *swarms = implementation_->engine ? implementation_->engine->swarms() : nullptr;
+        const engine::fireflies::Swarms *swarms = implementation_->engine ? implementation_->engine->swarms() : nullptr;
         if (swarms == nullptr || swarms->current() == nullptr)
             return paths;
-        for (const Waypoints &ends : swarms->current()->frame().sliceEnds())
+        for (const path::Waypoints &ends : swarms->current()->frame().sliceEnds())
             paths.emplace_back(si_, ends[0], ends[1]);
         return paths;
     }
@@ -231,8 +232,8 @@ namespace ompl_mfa
     std::map<std::string, double> MFA::shares() const
     {
         std::map<std::string, double> shares;
-        for (std::size_t i = 0; i < PART_NAMES.size(); ++i)
-            shares[PART_NAMES[i]] = implementation_->progress.share(PartKind(i));
+        for (std::size_t i = 0; i < engine::PART_NAMES.size(); ++i)
+            shares[engine::PART_NAMES[i]] = implementation_->progress.share(engine::PartKind(i));
         return shares;
     }
 }  // namespace ompl_mfa

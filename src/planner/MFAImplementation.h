@@ -58,16 +58,16 @@ namespace ompl_mfa
         /** \brief Sets a parameter by its member; throws ompl::Exception naming \e planner, the parameter, the value
            and what is accepted. */
         template <typename T>
-        void set(const MFA &planner, T SearchSettings::*member, const T &value);
+        void set(const MFA &planner, T engine::SearchSettings::*member, const T &value);
 
-        SearchSettings settings;  ///< as they were set, for the next query
+        engine::SearchSettings settings;  ///< as they were set, for the next query
         ompl::base::PlannerAllocator guidePlanner;
-        StateChartPtr chart;
-        SearchProgress progress;
-        std::unique_ptr<Engine> engine;  ///< of the query, from the first solve() on
-        SolutionPublisher publisher;
+        path::StateChartPtr chart;
+        engine::SearchProgress progress;
+        std::unique_ptr<engine::Engine> engine;  ///< of the query, from the first solve() on
+        planner::SolutionPublisher publisher;
         ompl::RNG rng;  ///< draws the seeds of runs that have none
-        mutable SearchLock lock;
+        mutable planner::SearchLock lock;
     };
 }  // namespace ompl_mfa
 

@@ -40,9 +40,9 @@
 #include <limits>
 #include <type_traits>
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
-    static_assert(std::is_same_v<decltype(SearchSettings::seed), std::uint32_t>, "a seed has 32 bits");
+    static_assert(std::is_same_v<decltype(engine::SearchSettings::seed), std::uint32_t>, "a seed has 32 bits");
 
     const std::vector<AnyMFAParameter> &mfaParameters()
     {
@@ -54,40 +54,44 @@ namespace ompl_mfa
         using Numbers = AcceptedValues<unsigned int>;
         using Reals = AcceptedValues<double>;
         static const std::vector<AnyMFAParameter> TABLE{
-            Word{"variant", &SearchSettings::variant, Words({"mfa", "fa"}),
+            Word{"variant", &engine::SearchSettings::variant, Words({"mfa", "fa"}),
                  "the paper's modified firefly algorithm, or the plain one"},
             Switch{"fireflies",
-                   &SearchSettings::fireflies,
+                   &engine::SearchSettings::fireflies,
                    {},
                    "whether swarms fly; without them, and without recombination, the guides and tightening remain"},
             // one range for both variants: trial vectors are made from four fireflies
-            Whole{"population_size", &SearchSettings::populationSize, Numbers(4, 1, 10000, 0),
+            Whole{"population_size", &engine::SearchSettings::populationSize, Numbers(4, 1, 10000, 0),
                   "size of the swarm; 0: 100 in paper mode, else 20"},
-            Whole{"slices", &SearchSettings::slices, Numbers(1, 1, 1000),
+            Whole{"slices", &engine::SearchSettings::slices, Numbers(1, 1, 1000),
                   "slices across the axis from start to goal, m - 1 in the paper; half as many in a window"},
-            Whole{"generations", &SearchSettings::generations, Numbers(1, 1, 100000),
+            Whole{"generations", &engine::SearchSettings::generations, Numbers(1, 1, 100000),
                   "length of an epoch, over which the random step and the attraction shrink; at most 15 in a window"},
-            Real{"gamma", &SearchSettings::gamma, Reals(0.0, 0.01, 100.0),
+            Real{"gamma", &engine::SearchSettings::gamma, Reals(0.0, 0.01, 100.0),
                  "light absorption: how fast the attraction falls with the distance of two fireflies, measured in "
                  "ranges of their coordinates"},
-            Real{"alpha", &SearchSettings::alpha, Reals(0.0, 0.01, 1.0), "random step at the beginning of an epoch"},
-            Real{"eta", &SearchSettings::eta, Reals(0.0, 0.01, 2.0),
+            Real{"alpha", &engine::SearchSettings::alpha, Reals(0.0, 0.01, 1.0),
+                 "random step at the beginning of an epoch"},
+            Real{"eta", &engine::SearchSettings::eta, Reals(0.0, 0.01, 2.0),
                  "attraction at distance 0 at the beginning of an epoch; 1 carries a firefly all the way to a brighter "
                  "one"},
-            Word{"guide", &SearchSettings::guide, Words({"none", "trees", "roadmap", "both"}),
+            Word{"guide", &engine::SearchSettings::guide, Words({"none", "trees", "roadmap", "both"}),
                  "planners beside the swarm that find ways which straight slices cannot express: trees that restart, "
                  "a roadmap that grows"},
-            Switch{
-                "recombination", &SearchSettings::recombination, {}, "splices the paths of the swarm into better ones"},
+            Switch{"recombination",
+                   &engine::SearchSettings::recombination,
+                   {},
+                   "splices the paths of the swarm into better ones"},
             Switch{"tightening",
-                   &SearchSettings::tightening,
+                   &engine::SearchSettings::tightening,
                    {},
                    "refines new paths: fewer vertices, shortcuts, pulls toward the chord, cut corners"},
-            Whole{"seed", &SearchSettings::seed, Numbers(0, 1, std::numeric_limits<std::uint32_t>::max()),
+            Whole{"seed", &engine::SearchSettings::seed, Numbers(0, 1, std::numeric_limits<std::uint32_t>::max()),
                   "fixes the random numbers, and lets no clock decide; 0: another run every time"},
-            Real{"state_check_time", &SearchSettings::stateCheckTime, Reals(0.001, 0.001, 100000.0),
+            Real{"state_check_time", &engine::SearchSettings::stateCheckTime, Reals(0.001, 0.001, 100000.0),
                  "what a state check takes; a run with a seed, which looks at no clock, shares its time by it"},
-            Whole{"threads", &SearchSettings::threads, Numbers(1, 1, 64), "check states and motions, see above"}};
+            Whole{"threads", &engine::SearchSettings::threads, Numbers(1, 1, 64),
+                  "check states and motions, see above"}};
         return TABLE;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -44,14 +44,14 @@
 #include "engine/SearchSettings.h"
 #include "planner/AcceptedValues.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     /** \brief A parameter of MFA: its name in params(), where its value is kept, what it accepts and what it means. */
     template <typename T>
     struct MFAParameter
     {
         std::string name;
-        T SearchSettings::*member;
+        T engine::SearchSettings::*member;
         AcceptedValues<T> accepted;
         std::string meaning;
     };
@@ -62,6 +62,6 @@ namespace ompl_mfa
     /** \brief All parameters, in the order of the documentation. Each value is accepted or refused by itself, so that
         the order in which parameters are set does not matter. */
     const std::vector<AnyMFAParameter> &mfaParameters();
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner
 
 #endif

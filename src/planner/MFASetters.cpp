@@ -42,20 +42,20 @@
 namespace ompl_mfa
 {
     template <typename T>
-    void MFA::Implementation::set(const MFA &planner, T SearchSettings::*member, const T &value)
+    void MFA::Implementation::set(const MFA &planner, T engine::SearchSettings::*member, const T &value)
     {
-        for (const auto &any : mfaParameters())
+        for (const auto &any : planner::mfaParameters())
         {
-            const auto *parameter = std::get_if<MFAParameter<T>>(&any);
+            const auto *parameter = std::get_if<planner::MFAParameter<T>>(&any);
             if (parameter != nullptr && parameter->member == member)
-                require(parameter->accepted, planner.getName() + ": " + parameter->name, value);
+                planner::require(parameter->accepted, planner.getName() + ": " + parameter->name, value);
         }
         settings.*member = value;
     }
 
     void MFA::setVariant(const std::string &variant)
     {
-        implementation_->set(*this, &SearchSettings::variant, variant);
+        implementation_->set(*this, &engine::SearchSettings::variant, variant);
     }
 
     std::string MFA::getVariant() const
@@ -65,7 +65,7 @@ namespace ompl_mfa
 
     void MFA::setFireflies(bool fireflies)
     {
-        implementation_->set(*this, &SearchSettings::fireflies, fireflies);
+        implementation_->set(*this, &engine::SearchSettings::fireflies, fireflies);
     }
 
     bool MFA::getFireflies() const
@@ -75,7 +75,7 @@ namespace ompl_mfa
 
     void MFA::setPopulationSize(unsigned int size)
     {
-        implementation_->set(*this, &SearchSettings::populationSize, size);
+        implementation_->set(*this, &engine::SearchSettings::populationSize, size);
     }
 
     unsigned int MFA::getPopulationSize() const
@@ -85,7 +85,7 @@ namespace ompl_mfa
 
     void MFA::setSlices(unsigned int slices)
     {
-        implementation_->set(*this, &SearchSettings::slices, slices);
+        implementation_->set(*this, &engine::SearchSettings::slices, slices);
     }
 
     unsigned int MFA::getSlices() const
@@ -95,7 +95,7 @@ namespace ompl_mfa
 
     void MFA::setGenerations(unsigned int generations)
     {
-        implementation_->set(*this, &SearchSettings::generations, generations);
+        implementation_->set(*this, &engine::SearchSettings::generations, generations);
     }
 
     unsigned int MFA::getGenerations() const
@@ -105,7 +105,7 @@ namespace ompl_mfa
 
     void MFA::setGamma(double gamma)
     {
-        implementation_->set(*this, &SearchSettings::gamma, gamma);
+        implementation_->set(*this, &engine::SearchSettings::gamma, gamma);
     }
 
     double MFA::getGamma() const
@@ -115,7 +115,7 @@ namespace ompl_mfa
 
     void MFA::setAlpha(double alpha)
     {
-        implementation_->set(*this, &SearchSettings::alpha, alpha);
+        implementation_->set(*this, &engine::SearchSettings::alpha, alpha);
     }
 
     double MFA::getAlpha() const
@@ -125,7 +125,7 @@ namespace ompl_mfa
 
     void MFA::setEta(double eta)
     {
-        implementation_->set(*this, &SearchSettings::eta, eta);
+        implementation_->set(*this, &engine::SearchSettings::eta, eta);
     }
 
     double MFA::getEta() const
@@ -135,7 +135,7 @@ namespace ompl_mfa
 
     void MFA::setGuide(const std::string &guide)
     {
-        implementation_->set(*this, &SearchSettings::guide, guide);
+        implementation_->set(*this, &engine::SearchSettings::guide, guide);
     }
 
     std::string MFA::getGuide() const
@@ -145,7 +145,7 @@ namespace ompl_mfa
 
     void MFA::setRecombination(bool recombination)
     {
-        implementation_->set(*this, &SearchSettings::recombination, recombination);
+        implementation_->set(*this, &engine::SearchSettings::recombination, recombination);
     }
 
     bool MFA::getRecombination() const
@@ -155,7 +155,7 @@ namespace ompl_mfa
 
     void MFA::setTightening(bool tightening)
     {
-        implementation_->set(*this, &SearchSettings::tightening, tightening);
+        implementation_->set(*this, &engine::SearchSettings::tightening, tightening);
     }
 
     bool MFA::getTightening() const
@@ -165,7 +165,7 @@ namespace ompl_mfa
 
     void MFA::setSeed(std::uint32_t seed)
     {
-        implementation_->set(*this, &SearchSettings::seed, seed);
+        implementation_->set(*this, &engine::SearchSettings::seed, seed);
     }
 
     std::uint32_t MFA::getSeed() const
@@ -175,7 +175,7 @@ namespace ompl_mfa
 
     void MFA::setStateCheckTime(double microseconds)
     {
-        implementation_->set(*this, &SearchSettings::stateCheckTime, microseconds);
+        implementation_->set(*this, &engine::SearchSettings::stateCheckTime, microseconds);
     }
 
     double MFA::getStateCheckTime() const
@@ -185,7 +185,7 @@ namespace ompl_mfa
 
     void MFA::setThreads(unsigned int threads)
     {
-        implementation_->set(*this, &SearchSettings::threads, threads);
+        implementation_->set(*this, &engine::SearchSettings::threads, threads);
     }
 
     unsigned int MFA::getThreads() const

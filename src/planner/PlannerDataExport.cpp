@@ -40,7 +40,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -59,7 +59,7 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    void exportTo(ob::PlannerData &data, const SearchGraph &graph)
+    void exportTo(ob::PlannerData &data, const engine::SearchGraph &graph)
     {
         const ob::StateSpace &space = *graph.states.space();
         States states = graph.states.pointers();
@@ -81,4 +81,4 @@ namespace ompl_mfa
             data.addEdge(ob::PlannerDataVertex(states[from]), ob::PlannerDataVertex(states[to]));
         data.decoupleFromPlanner();
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -38,7 +38,7 @@
 
 #include <cmath>
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -77,4 +77,4 @@ namespace ompl_mfa
         cost_ = cost;
         work_ = work;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -39,7 +39,7 @@
 
 #include <cstdint>
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     /** \brief Decides when a better path is handed to the problem definition, so that their number stays bounded
         however long the search refines its path.
@@ -68,6 +68,6 @@ namespace ompl_mfa
         std::uint64_t work_{0};
         unsigned int notables_{0};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner
 
 #endif

@@ -49,7 +49,7 @@
 #include "ompl_mfa/PlainText.h"
 #include "planner/AcceptedValues.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     /** \brief A planner parameter that says which values it accepts. */
     class OMPL_MFA_EXPORT SelectiveParam : public ompl::base::GenericParam
@@ -115,6 +115,6 @@ namespace ompl_mfa
         Setter setter_;
         Getter getter_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner
 
 #endif

@@ -36,7 +36,7 @@
 
 #include "planner/SearchLock.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     SearchLock::Search::Search(SearchLock &lock)
       : lock_(lock)
@@ -95,4 +95,4 @@ namespace ompl_mfa
         std::unique_lock<std::mutex> lock(mutex_);
         served_.wait(lock, [&] { return departures_ >= arrivals; });
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

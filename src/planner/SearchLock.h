@@ -43,7 +43,7 @@
 #include <mutex>
 #include <thread>
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     /** \brief Lets other threads read the state of a search between two of its steps.
 
@@ -109,6 +109,6 @@ namespace ompl_mfa
         std::uint64_t departures_{0};                                ///< readers that have read; guarded by mutex_
         std::atomic<std::thread::id> searching_{std::thread::id()};  ///< that holds the lock now
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner
 
 #endif

@@ -43,7 +43,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     void SolutionPublisher::begin(const ob::ProblemDefinitionPtr &pdef)
     {
@@ -58,21 +58,22 @@ namespace ompl_mfa
         schedule_.reset();
     }
 
-    bool SolutionPublisher::isPublished(const SearchContext &context) const
+    bool SolutionPublisher::isPublished(const engine::SearchContext &context) const
     {
         return published_ && improvement_ == context.incumbent.improvements();
     }
 
-    void SolutionPublisher::publishIfDue(const SearchContext &context, const ob::Planner &planner, SearchLock &lock)
+    void SolutionPublisher::publishIfDue(const engine::SearchContext &context, const ob::Planner &planner,
+                                         SearchLock &lock)
     {
         if (context.incumbent.hasPath() && !isPublished(context) &&
             schedule_.due(context.incumbent.cost(), context.evaluator().work()))
             publish(context, planner, lock);
     }
 
-    void SolutionPublisher::publish(const SearchContext &context, const ob::Planner &planner, SearchLock &lock)
+    void SolutionPublisher::publish(const engine::SearchContext &context, const ob::Planner &planner, SearchLock &lock)
     {
-        const Incumbent &incumbent = context.incumbent;
+        const engine::Incumbent &incumbent = context.incumbent;
         const ob::Cost cost(incumbent.cost());
         auto path = std::make_shared<og::PathGeometric>(context.spaceInformation());
         incumbent.path().appendTo(*path);
@@ -91,10 +92,10 @@ namespace ompl_mfa
         callback(&planner, incumbent.path().pointers(), cost);
     }
 
-    ob::PlannerStatus SolutionPublisher::finish(const SearchContext &context, const ob::Planner &planner,
+    ob::PlannerStatus SolutionPublisher::finish(const engine::SearchContext &context, const ob::Planner &planner,
                                                 SearchLock &lock)
     {
-        const Incumbent &incumbent = context.incumbent;
+        const engine::Incumbent &incumbent = context.incumbent;
         if (incumbent.hasPath())
         {
             if (!isPublished(context))
@@ -111,4 +112,4 @@ namespace ompl_mfa
         pdef_->addSolutionPath(solution);
         return ob::PlannerStatus::APPROXIMATE_SOLUTION;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

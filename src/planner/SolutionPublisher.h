@@ -46,7 +46,7 @@
 #include "planner/PublishingSchedule.h"
 #include "planner/SearchLock.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     /** \brief Hands the paths of a search to a problem definition. */
     class SolutionPublisher
@@ -58,21 +58,21 @@ namespace ompl_mfa
 
         /** \brief Publishes the best path of \e context if there is one that was not published and that is due. The
             intermediate solution callback of \e planner's problem definition is called with \e lock released. */
-        void publishIfDue(const SearchContext &context, const ompl::base::Planner &planner, SearchLock &lock);
+        void publishIfDue(const engine::SearchContext &context, const ompl::base::Planner &planner, SearchLock &lock);
 
         /** \brief Publishes the best path, or else the partial one, at the end of a solve(); returns its status. */
-        ompl::base::PlannerStatus finish(const SearchContext &context, const ompl::base::Planner &planner,
+        ompl::base::PlannerStatus finish(const engine::SearchContext &context, const ompl::base::Planner &planner,
                                          SearchLock &lock);
 
     private:
-        bool isPublished(const SearchContext &context) const;
-        void publish(const SearchContext &context, const ompl::base::Planner &planner, SearchLock &lock);
+        bool isPublished(const engine::SearchContext &context) const;
+        void publish(const engine::SearchContext &context, const ompl::base::Planner &planner, SearchLock &lock);
 
         ompl::base::ProblemDefinitionPtr pdef_;
         PublishingSchedule schedule_;
         ompl::base::PathPtr published_;
         std::uint64_t improvement_{0};  ///< number of the improvement that was published last
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner
 
 #endif

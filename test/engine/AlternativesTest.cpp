@@ -43,7 +43,7 @@
 
 #include "path/StateSpaces.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -76,7 +76,7 @@ namespace ompl_mfa
         TEST_F(AlternativesTest, AreCopiesOfThePathsThatWereAdded)
         {
             EXPECT_EQ(alternatives_.size(), 0U);
-            Waypoints path = test::planarPath(space_, {{0.0, 0.0}, {1.0, 0.5}, {2.0, 0.0}});
+            path::Waypoints path = test::planarPath(space_, {{0.0, 0.0}, {1.0, 0.5}, {2.0, 0.0}});
             alternatives_.add(path);
             path.clear();
             ASSERT_EQ(alternatives_.size(), 1U);
@@ -97,4 +97,4 @@ namespace ompl_mfa
             EXPECT_EQ(alternatives_.size(), 3U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

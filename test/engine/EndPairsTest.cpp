@@ -51,7 +51,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -160,4 +160,4 @@ namespace ompl_mfa
             RC_ASSERT(returned == all);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -53,7 +53,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -80,7 +80,7 @@ namespace ompl_mfa
             {
                 owner_.setProblemDefinition(problem.pdef);
                 inputs_.use(problem.pdef);
-                chart = std::make_shared<const StateChart>(problem.si->getStateSpace());
+                chart = std::make_shared<const path::StateChart>(problem.si->getStateSpace());
                 engine = std::make_unique<Engine>(owner_, chart, settings, 7, guest, progress);
             }
 
@@ -116,7 +116,7 @@ namespace ompl_mfa
             }
 
             SearchProgress progress;
-            StateChartPtr chart;
+            path::StateChartPtr chart;
             std::unique_ptr<Engine> engine;
             unsigned int published{0};
 
@@ -149,7 +149,7 @@ namespace ompl_mfa
         class EngineOfOnePart : public ::testing::TestWithParam<Alone>
         {
         protected:
-            bool isValid(const Waypoints &path) const
+            bool isValid(const path::Waypoints &path) const
             {
                 for (std::size_t i = 1; i < path.size(); ++i)
                 {
@@ -339,7 +339,7 @@ namespace ompl_mfa
             ASSERT_TRUE(search.incumbent().hasPath());
             SearchGraph graph(problem_->si->getStateSpace());
             search.engine->explain(graph);
-            const Waypoints &path = search.incumbent().path();
+            const path::Waypoints &path = search.incumbent().path();
             for (std::size_t i = 1; i < path.size(); ++i)
             {
                 bool known = false;
@@ -350,4 +350,4 @@ namespace ompl_mfa
             }
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -51,7 +51,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -71,7 +71,7 @@ namespace ompl_mfa
             ob::SpaceInformationPtr si_ = std::make_shared<ob::SpaceInformation>(space_);
             std::atomic<double> shown_{3.0};
             Incumbent incumbent_{std::make_shared<ob::PathLengthOptimizationObjective>(si_), space_, shown_};
-            Waypoints path_{space_};
+            path::Waypoints path_{space_};
         };
 
         TEST_F(IncumbentTest, KnowsNothingAtFirst)
@@ -152,4 +152,4 @@ namespace ompl_mfa
             EXPECT_TRUE(incumbent_.offerPartial(path_, 2, path_[2], 2.0));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

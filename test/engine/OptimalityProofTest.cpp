@@ -49,7 +49,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -100,7 +100,7 @@ namespace ompl_mfa
 
             void offer(test::SearchProblem &search, const std::vector<std::vector<double>> &states) const
             {
-                Waypoints path(problem_->si->getStateSpace());
+                path::Waypoints path(problem_->si->getStateSpace());
                 for (const auto &values : states)
                     path.append(problem_->state(values).get());
                 ASSERT_TRUE(search.context.incumbent.offer(path, search.evaluator().cost(path).value()));
@@ -193,4 +193,4 @@ namespace ompl_mfa
             EXPECT_TRUE(proof.holds());
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

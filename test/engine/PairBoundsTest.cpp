@@ -50,7 +50,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -80,7 +80,7 @@ namespace ompl_mfa
         class PairBoundsTest : public ::testing::Test
         {
         protected:
-            void append(Waypoints &states, double x)
+            void append(path::Waypoints &states, double x)
             {
                 ob::ScopedState<> state(space_);
                 state[0] = x;
@@ -90,10 +90,10 @@ namespace ompl_mfa
             ob::StateSpacePtr space_ = test::realVectorSpace(1, 0.0, 1000.0);
             ob::SpaceInformationPtr si_ = std::make_shared<ob::SpaceInformation>(space_);
             std::shared_ptr<CountedLength> objective_ = std::make_shared<CountedLength>(si_);
-            CostBounds bounds_{si_, objective_};
+            path::CostBounds bounds_{si_, objective_};
             PairBounds pairs_{bounds_};
-            Waypoints starts_{space_};
-            Waypoints goals_{space_};
+            path::Waypoints starts_{space_};
+            path::Waypoints goals_{space_};
         };
 
         TEST_F(PairBoundsTest, TellWhichEndsCanBeOnABetterPath)
@@ -166,4 +166,4 @@ namespace ompl_mfa
             EXPECT_FALSE(pairs_.isBest(2.0, starts_, goals_));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

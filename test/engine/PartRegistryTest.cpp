@@ -55,7 +55,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -107,10 +107,10 @@ namespace ompl_mfa
             EXPECT_EQ(kinds(list), (Kinds{PartKind::Fireflies, PartKind::Recombination, PartKind::Tightening,
                                           PartKind::Trees, PartKind::Roadmap}));
             EXPECT_TRUE(list.guided);
-            EXPECT_EQ(list.refiner, dynamic_cast<TighteningPart *>(list.parts[2].get()));
+            EXPECT_EQ(list.refiner, dynamic_cast<refinement::TighteningPart *>(list.parts[2].get()));
             EXPECT_NE(list.refiner, nullptr);
             ASSERT_NE(list.swarms, nullptr);
-            EXPECT_EQ(list.swarms->options().coordinates, Swarm::Coordinates::Modes);
+            EXPECT_EQ(list.swarms->options().coordinates, fireflies::Swarm::Coordinates::Modes);
             EXPECT_TRUE(list.swarms->options().windows);
             EXPECT_TRUE(list.swarms->options().bounded);
             EXPECT_EQ(list.swarms->options().fireflies.populationSize, 20U);
@@ -120,12 +120,12 @@ namespace ompl_mfa
         {
             const PartList list = make(paper());
             ASSERT_EQ(kinds(list), Kinds{PartKind::Fireflies});
-            EXPECT_NE(dynamic_cast<FireflyPart *>(list.parts[0].get()), nullptr);
+            EXPECT_NE(dynamic_cast<fireflies::FireflyPart *>(list.parts[0].get()), nullptr);
             EXPECT_FALSE(list.guided);
             EXPECT_EQ(list.refiner, nullptr);
             ASSERT_NE(list.swarms, nullptr);
-            const Swarms::Options &options = list.swarms->options();
-            EXPECT_EQ(options.coordinates, Swarm::Coordinates::Offsets);
+            const fireflies::Swarms::Options &options = list.swarms->options();
+            EXPECT_EQ(options.coordinates, fireflies::Swarm::Coordinates::Offsets);
             EXPECT_FALSE(options.windows);
             EXPECT_FALSE(options.bounded);
             EXPECT_EQ(options.fireflies.variant, FireflyOptimizer::Variant::MFA);
@@ -142,7 +142,7 @@ namespace ompl_mfa
             EXPECT_EQ(kinds(list), (Kinds{PartKind::Fireflies, PartKind::GuestPlanner}));
             EXPECT_TRUE(list.guided);
             ASSERT_NE(list.swarms, nullptr);
-            EXPECT_EQ(list.swarms->options().coordinates, Swarm::Coordinates::Modes);
+            EXPECT_EQ(list.swarms->options().coordinates, fireflies::Swarm::Coordinates::Modes);
             EXPECT_EQ(list.swarms->options().fireflies.populationSize, 20U);
         }
 
@@ -267,4 +267,4 @@ namespace ompl_mfa
                 EXPECT_EQ(part->readiness(), Readiness::Idle) << PART_NAMES[static_cast<std::size_t>(part->kind())];
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -50,7 +50,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -245,7 +245,7 @@ namespace ompl_mfa
         {
             pdef_->setGoal(std::make_shared<test::DistanceGoal>(problem_->si, problem_->state({9.0, 1.0}).get(), 0.5));
             beginAgain();
-            Waypoints path(problem_->si->getStateSpace());
+            path::Waypoints path(problem_->si->getStateSpace());
             path.append(problem_->state({1.0, 1.0}).get());
             EXPECT_FALSE(query_.isAnsweredBy(path));
             path.append(problem_->state({9.0, 1.25}).get());
@@ -343,4 +343,4 @@ namespace ompl_mfa
             EXPECT_TRUE(query.differsFrom(*pdef_));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

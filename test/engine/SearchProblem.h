@@ -59,11 +59,11 @@ namespace ompl_mfa::test
     {
     public:
         explicit SearchProblem(const ompl::base::ProblemDefinitionPtr &pdef, std::uint64_t seed = 5,
-                               const SearchSettings &settings = {},
+                               const engine::SearchSettings &settings = {},
                                const ompl::base::OptimizationObjectivePtr &objective = nullptr)
           : si(pdef->getSpaceInformation())
           , owner(si)
-          , context(ownerOf(pdef), std::make_shared<const StateChart>(si->getStateSpace()),
+          , context(ownerOf(pdef), std::make_shared<const path::StateChart>(si->getStateSpace()),
                     objective ? objective : std::make_shared<ompl::base::PathLengthOptimizationObjective>(si), settings,
                     seed, progress)
           , path(si->getStateSpace())
@@ -81,17 +81,17 @@ namespace ompl_mfa::test
             return status;
         }
 
-        PathEvaluator &evaluator() const
+        path::PathEvaluator &evaluator() const
         {
             return context.evaluator();
         }
 
-        const Waypoints &starts() const
+        const path::Waypoints &starts() const
         {
             return context.query.starts();
         }
 
-        const Waypoints &goals() const
+        const path::Waypoints &goals() const
         {
             return context.query.goals();
         }
@@ -99,9 +99,9 @@ namespace ompl_mfa::test
         ompl::base::SpaceInformationPtr si;
         MFA owner;
         ompl::base::PlannerInputStates inputs;
-        SearchProgress progress;
-        SearchContext context;
-        Waypoints path;
+        engine::SearchProgress progress;
+        engine::SearchContext context;
+        path::Waypoints path;
 
     private:
         const ompl::base::Planner &ownerOf(const ompl::base::ProblemDefinitionPtr &pdef)

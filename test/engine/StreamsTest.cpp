@@ -50,7 +50,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -107,7 +107,7 @@ namespace ompl_mfa
                     return test::coordinate(state, 0) <= 4.5 || test::coordinate(state, 0) >= 5.5;
                 },
                 {1.0, 1.0}, {9.0, 1.0});
-            const auto planner = problem.planner(test::Engine::Default, seed);
+            const auto planner = problem.planner(test::PlannerVariant::Default, seed);
             test::set(*planner, "guide", guide);
             // before the fireflies, whose paths share the corners of the square, have their first turn
             planner->solve(test::afterCalls(800));
@@ -131,4 +131,4 @@ namespace ompl_mfa
             }
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

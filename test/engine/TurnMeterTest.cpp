@@ -48,7 +48,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -62,7 +62,8 @@ namespace ompl_mfa
                                                std::this_thread::sleep_for(1ms);
                                                return true;
                                            }};
-            PathEvaluator evaluator_{problem_.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
+            path::PathEvaluator evaluator_{problem_.si,
+                                           std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
         };
 
         TEST_F(TurnMeterTest, AClockSeesACheckerThatWaits)
@@ -116,4 +117,4 @@ namespace ompl_mfa
             EXPECT_GT(distanceTime(ob::ReedsSheppStateSpace()), 5.0 * distanceTime(ob::DubinsStateSpace()));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

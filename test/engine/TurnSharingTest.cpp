@@ -42,7 +42,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine
 {
     namespace
     {
@@ -174,4 +174,4 @@ namespace ompl_mfa
                 EXPECT_DOUBLE_EQ(sharing.share(i), 1.0 / 3.0);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine

@@ -132,8 +132,8 @@ TEST(PathProblem, hasTheSlicesOfThePlanner)
         start[k] = scene.start[k];
         goal[k] = scene.goal[k];
     }
-    const auto chart = std::make_shared<ompl_mfa::StateChart>(space);
-    const auto frame = ompl_mfa::SliceFrame::straight(chart, start.get(), goal.get(), 7);
+    const auto chart = std::make_shared<ompl_mfa::path::StateChart>(space);
+    const auto frame = ompl_mfa::engine::fireflies::SliceFrame::straight(chart, start.get(), goal.get(), 7);
     ASSERT_EQ(frame.dimension(), problem.lower().size());
     for (Eigen::Index k = 0; k < 6; ++k)
         EXPECT_NEAR(frame.upper()[k] - frame.lower()[k], problem.upper()[k] - problem.lower()[k], 1e-9);

@@ -50,7 +50,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -246,4 +246,4 @@ namespace ompl_mfa
             EXPECT_TRUE(beatable(bounds, 1e6));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

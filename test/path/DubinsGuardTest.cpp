@@ -53,7 +53,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -385,4 +385,4 @@ namespace ompl_mfa
             EXPECT_FALSE(symmetric.computes(to.get(), from.get()));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

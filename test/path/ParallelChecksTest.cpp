@@ -56,7 +56,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -185,4 +185,4 @@ namespace ompl_mfa
             EXPECT_THROW(checkUntilAWorkerHelps(), std::domain_error);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

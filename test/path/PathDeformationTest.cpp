@@ -49,7 +49,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -92,4 +92,4 @@ namespace ompl_mfa
             EXPECT_TRUE(seemDeformable(evaluator_, few, path({{-8, 0}, {-8, 0}, {-4, 2}, {0, 4}, {8, 0}}), 9));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

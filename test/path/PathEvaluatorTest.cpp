@@ -56,7 +56,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -305,4 +305,4 @@ namespace ompl_mfa
             EXPECT_GT(evaluator.cost(back).value(), 4.0 + 3.14);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

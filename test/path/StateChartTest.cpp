@@ -58,7 +58,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -493,4 +493,4 @@ namespace ompl_mfa
                 }));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

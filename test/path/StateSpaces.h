@@ -74,10 +74,10 @@ namespace ompl_mfa::test
     }
 
     /** \brief A path in R^2 through points (x, y). */
-    inline Waypoints planarPath(const ompl::base::StateSpacePtr &space,
-                                const std::vector<std::pair<double, double>> &points)
+    inline path::Waypoints planarPath(const ompl::base::StateSpacePtr &space,
+                                      const std::vector<std::pair<double, double>> &points)
     {
-        Waypoints path(space);
+        path::Waypoints path(space);
         ompl::base::ScopedState<> state(space);
         for (const auto &[x, y] : points)
         {

@@ -52,7 +52,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -288,4 +288,4 @@ namespace ompl_mfa
             }
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

@@ -44,7 +44,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     namespace
     {
@@ -140,4 +140,4 @@ namespace ompl_mfa
             }
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

@@ -43,7 +43,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -136,4 +136,4 @@ namespace ompl_mfa
             RC_ASSERT(!AcceptedValues<unsigned int>::read("12" + text, whole) && whole == 7);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

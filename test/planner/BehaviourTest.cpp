@@ -51,13 +51,13 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
         constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-        class Behaviour : public ::testing::TestWithParam<test::Engine>
+        class Behaviour : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             og::PathGeometric &path() const
@@ -84,8 +84,9 @@ namespace ompl_mfa
             std::shared_ptr<MFA> planner_ = problem_->planner(GetParam());
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, Behaviour, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, Behaviour,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(Behaviour, AStraightMotionThatWasCutShortIsTriedAgain)
         {
@@ -352,4 +353,4 @@ namespace ompl_mfa
             EXPECT_EQ(planner_->getName(), "MFA");
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

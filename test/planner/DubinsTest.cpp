@@ -47,7 +47,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -89,7 +89,7 @@ namespace ompl_mfa
             {
                 test::PlanningProblem problem(carSpace(0.5, GetParam()), inCorridorOrBeside, {1.0, 4.0, 0.0},
                                               {19.0, 16.0, 0.0});
-                const auto planner = problem.planner(test::Engine::Default, seed);
+                const auto planner = problem.planner(test::PlannerVariant::Default, seed);
                 ASSERT_EQ(planner->solve(test::afterCalls(20000)), ob::PlannerStatus::EXACT_SOLUTION) << seed;
                 // 18 across and 12 up, by the corridor
                 EXPECT_LT(planner->bestCost(), 25.0) << seed;
@@ -104,14 +104,14 @@ namespace ompl_mfa
             {
                 test::PlanningProblem problem(carSpace(0.5, GetParam()), [](const ob::State *) { return true; },
                                               {1.0, 10.0, off}, {19.0, 10.0, 0.0});
-                for (const auto engine : {test::Engine::Default, test::Engine::Paper})
+                for (const auto engine : {test::PlannerVariant::Default, test::PlannerVariant::Paper})
                 {
                     problem.pdef->clearSolutionPaths();
                     const auto planner = problem.planner(engine);
-                    ASSERT_EQ(planner->solve(test::afterCalls(engine == test::Engine::Paper ? 6000 : 3000)),
+                    ASSERT_EQ(planner->solve(test::afterCalls(engine == test::PlannerVariant::Paper ? 6000 : 3000)),
                               ob::PlannerStatus::EXACT_SOLUTION)
                         << off;
-                    if (engine == test::Engine::Default)
+                    if (engine == test::PlannerVariant::Default)
                     {
                         EXPECT_NEAR(planner->bestCost(), 18.0, 1e-3) << off;
                     }
@@ -132,7 +132,7 @@ namespace ompl_mfa
                                                   return pose->getX() < 10.0 || pose->getX() > 11.0;
                                               },
                                               {1.0, 10.0, off}, {19.0, 10.0, 0.0});
-                for (const auto engine : {test::Engine::Default, test::Engine::Paper})
+                for (const auto engine : {test::PlannerVariant::Default, test::PlannerVariant::Paper})
                 {
                     problem.pdef->clearSolutionPaths();
                     const auto status = problem.planner(engine)->solve(test::afterCalls(3000));
@@ -153,7 +153,7 @@ namespace ompl_mfa
                 {
                     test::PlanningProblem problem(carSpace(0.5, GetParam()), inCorridorOrBeside, {1.0, 4.0, 0.0},
                                                   {19.0, 16.0, 0.0});
-                    const auto planner = problem.planner(test::Engine::Default, seed);
+                    const auto planner = problem.planner(test::PlannerVariant::Default, seed);
                     planner->setThreads(threads);
                     ASSERT_EQ(planner->solve(test::afterCalls(8000)), ob::PlannerStatus::EXACT_SOLUTION) << seed;
                     cost[threads - 1] = planner->bestCost();
@@ -162,4 +162,4 @@ namespace ompl_mfa
             }
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -53,20 +53,21 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
         constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-        class Endurance : public ::testing::TestWithParam<test::Engine>
+        class Endurance : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, Endurance, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, Endurance,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(Endurance, CyclesOfSolveAndClear)
         {
@@ -251,7 +252,7 @@ namespace ompl_mfa
         TEST(LongSearch, OfThePaperDoesNotGrow)
         {
             const auto problem = test::wallProblem();
-            const auto planner = problem->planner(test::Engine::Paper);
+            const auto planner = problem->planner(test::PlannerVariant::Paper);
             planner->solve(test::afterCalls(30000));
             const std::size_t early = bytesInUse();
             planner->solve(test::afterCalls(30000));
@@ -259,4 +260,4 @@ namespace ompl_mfa
             EXPECT_LT(bytesInUse(), early + 256 * 1024);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

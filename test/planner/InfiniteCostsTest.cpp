@@ -51,7 +51,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -175,7 +175,7 @@ namespace ompl_mfa
         {
         protected:
             std::unique_ptr<test::PlanningProblem> problem_ = openProblem();
-            std::shared_ptr<MFA> planner_ = problem_->planner(test::Engine::Default, GetParam());
+            std::shared_ptr<MFA> planner_ = problem_->planner(test::PlannerVariant::Default, GetParam());
         };
 
         // 0: unseeded
@@ -245,7 +245,7 @@ namespace ompl_mfa
             const auto objective = std::make_shared<LethalDisc>(problem->si, 2.0);
             const auto lethal = problem->state({0.5, 0.5});
             ASSERT_TRUE(std::isnan(objective->motionCost(lethal.get(), lethal.get()).value()));
-            PathEvaluator evaluator(problem->si, objective);
+            path::PathEvaluator evaluator(problem->si, objective);
             ob::Cost cost;
             ASSERT_TRUE(evaluator.motionCost(lethal.get(), lethal.get(), cost));
             EXPECT_EQ(cost.value(), 0.0);
@@ -284,7 +284,7 @@ namespace ompl_mfa
             {
                 const auto problem = test::wallProblem();
                 problem->pdef->setOptimizationObjective(std::make_shared<Undefined>(problem->si, n));
-                const auto planner = problem->planner(test::Engine::Default, GetParam());
+                const auto planner = problem->planner(test::PlannerVariant::Default, GetParam());
                 try
                 {
                     planner->solve(ob::timedPlannerTerminationCondition(60.0));
@@ -303,4 +303,4 @@ namespace ompl_mfa
             }
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

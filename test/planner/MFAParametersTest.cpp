@@ -56,7 +56,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -205,7 +205,7 @@ namespace ompl_mfa
            in which variant and size are set. */
         TEST_F(Parameters, NoSequenceOfAcceptedValuesIsRefusedLater)
         {
-            const auto planner = problem_->planner(test::Engine::Paper);
+            const auto planner = problem_->planner(test::PlannerVariant::Paper);
             const test::ConsoleRecord console;
             for (const std::string size : {"0", "1", "2", "3", "4"})
             {
@@ -341,7 +341,7 @@ namespace ompl_mfa
 
         TEST_F(Parameters, TheyAreObeyed)
         {
-            const auto planner = problem_->planner(test::Engine::Paper);
+            const auto planner = problem_->planner(test::PlannerVariant::Paper);
             planner->setPopulationSize(13);
             planner->setSlices(4);
             planner->solve(test::afterCalls(500));
@@ -353,7 +353,7 @@ namespace ompl_mfa
         /* A search keeps the parameters that it began with. */
         TEST_F(Parameters, AChangeBetweenTwoSolvesWaitsForTheNextQuery)
         {
-            const auto planner = problem_->planner(test::Engine::Default);
+            const auto planner = problem_->planner(test::PlannerVariant::Default);
             planner->setTightening(false);
             ASSERT_EQ(planner->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
             planner->solve(test::afterCalls(2000));
@@ -369,7 +369,7 @@ namespace ompl_mfa
 
         TEST_F(Parameters, ANewQueryTakesWhatWasSet)
         {
-            const auto planner = problem_->planner(test::Engine::Default);
+            const auto planner = problem_->planner(test::PlannerVariant::Default);
             planner->setTightening(false);
             planner->solve(test::afterCalls(2000));
             planner->setTightening(true);
@@ -383,7 +383,7 @@ namespace ompl_mfa
             const auto run = [this](bool disturbed)
             {
                 problem_->pdef->clearSolutionPaths();
-                const auto planner = problem_->planner(test::Engine::Default, 3);
+                const auto planner = problem_->planner(test::PlannerVariant::Default, 3);
                 planner->solve(test::afterCalls(6000));
                 if (disturbed)
                 {
@@ -417,7 +417,7 @@ namespace ompl_mfa
         {
             for (const char *variant : {"fa", "mfa"})
             {
-                const auto planner = problem_->planner(test::Engine::Paper);
+                const auto planner = problem_->planner(test::PlannerVariant::Paper);
                 planner->setVariant(variant);
                 problem_->pdef->clearSolutionPaths();
                 EXPECT_EQ(planner->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
@@ -441,12 +441,13 @@ namespace ompl_mfa
             {
                 const std::string &name = parameter.name;
                 ASSERT_EQ(rows.count(name), 1U) << name << " is not in the table";
-                EXPECT_EQ(rows[name][2], ' ' + parameter.accepted.write(SearchSettings().*parameter.member) + ' ')
+                EXPECT_EQ(rows[name][2],
+                          ' ' + parameter.accepted.write(engine::SearchSettings().*parameter.member) + ' ')
                     << name;
                 EXPECT_EQ(rows[name][3], ' ' + parameter.accepted.description() + ' ') << name;
                 EXPECT_EQ(rows[name][5], ' ' + parameter.meaning + ' ') << name;
                 EXPECT_TRUE(planner_.params().hasParam(name));
-                EXPECT_EQ(value(name), parameter.accepted.write(SearchSettings().*parameter.member));
+                EXPECT_EQ(value(name), parameter.accepted.write(engine::SearchSettings().*parameter.member));
                 rows.erase(name);
             };
             for (const auto &parameter : mfaParameters())
@@ -456,4 +457,4 @@ namespace ompl_mfa
                 ADD_FAILURE() << row.first << " is in the table, but no parameter";
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

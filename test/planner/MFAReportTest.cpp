@@ -47,11 +47,11 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
-        class Report : public ::testing::TestWithParam<test::Engine>
+        class Report : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
@@ -59,8 +59,9 @@ namespace ompl_mfa
             ob::PlannerData data_{problem_->si};
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, Report, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, Report,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(Report, PlannerDataIsEmptyBeforeTheSearch)
         {
@@ -111,7 +112,7 @@ namespace ompl_mfa
 
         TEST_P(Report, PlannerDataShowTheRoadmapThatFoundThePath)
         {
-            if (GetParam() == test::Engine::Paper)
+            if (GetParam() == test::PlannerVariant::Paper)
                 GTEST_SKIP() << "the paper's algorithm has no roadmap";
             test::set(*planner_, "guide", "roadmap");
             planner_->solve(test::untilExact(problem_->pdef));
@@ -234,4 +235,4 @@ namespace ompl_mfa
             EXPECT_GT(solves, 200U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -62,7 +62,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -222,7 +222,7 @@ namespace ompl_mfa
             return sum;
         }
 
-        using Case = std::tuple<NamedObjective, test::Engine>;
+        using Case = std::tuple<NamedObjective, test::PlannerVariant>;
 
         class EveryObjective : public ::testing::TestWithParam<Case>
         {
@@ -252,7 +252,7 @@ namespace ompl_mfa
             std::string operator()(const Info &info) const
             {
                 return std::get<0>(info.param).name +
-                       (std::get<1>(info.param) == test::Engine::Paper ? "Paper" : "Default");
+                       (std::get<1>(info.param) == test::PlannerVariant::Paper ? "Paper" : "Default");
             }
         };
 
@@ -264,7 +264,7 @@ namespace ompl_mfa
                                                  named<HeightWork>("MechanicalWork"),
                                                  NamedObjective{"WeightedSum", weightedSum}, named<Height>("Minimax"),
                                                  named<Uphill>("Asymmetric"), named<Reliability>("Product")),
-                               ::testing::Values(test::Engine::Default, test::Engine::Paper)),
+                               ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper)),
             CaseName());
 
         TEST_P(EveryObjective, ImprovesMonotonicallyAndReportsItsCost)
@@ -349,12 +349,13 @@ namespace ompl_mfa
             }
         };
 
-        class Objectives : public ::testing::TestWithParam<test::Engine>
+        class Objectives : public ::testing::TestWithParam<test::PlannerVariant>
         {
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, Objectives, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, Objectives,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(Objectives, ABoundThatAPathBeatsIsNoBound)
         {
@@ -432,7 +433,7 @@ namespace ompl_mfa
         {
             problem->pdef->clearSolutionPaths();
             problem->pdef->setOptimizationObjective(std::make_shared<Objective>(problem->si));
-            const auto planner = problem->planner(test::Engine::Paper);
+            const auto planner = problem->planner(test::PlannerVariant::Paper);
             test::set(*planner, "guide", "roadmap");
             test::set(*planner, "slices", "1");
             EXPECT_EQ(planner->solve(test::afterCalls(300000)), ob::PlannerStatus::EXACT_SOLUTION);
@@ -518,7 +519,7 @@ namespace ompl_mfa
                 goals->addState(problem->state({9.0, 1.0}));
                 problem->pdef->setGoal(goals);
                 problem->pdef->setOptimizationObjective(std::make_shared<PricedEnds>(problem->si, here, beyond));
-                const auto planner = problem->planner(test::Engine::Default);
+                const auto planner = problem->planner(test::PlannerVariant::Default);
                 ASSERT_EQ(planner->solve(test::afterCalls(60000)), ob::PlannerStatus::EXACT_SOLUTION);
                 EXPECT_NEAR(planner->bestCost(), test::wallOptimum() + beyond, 0.1) << here << " and " << beyond;
             }
@@ -534,4 +535,4 @@ namespace ompl_mfa
             EXPECT_LE(planner->bestCost(), 1.1 * test::wallOptimum());
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -52,12 +52,12 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
         /* The wall problem with states that take long; whole motions or single states are shared out. */
-        class ParallelPlanning : public ::testing::TestWithParam<std::tuple<test::Engine, bool>>
+        class ParallelPlanning : public ::testing::TestWithParam<std::tuple<test::PlannerVariant, bool>>
         {
         protected:
             ParallelPlanning()
@@ -111,16 +111,17 @@ namespace ompl_mfa
 
         struct CaseName
         {
-            std::string operator()(const ::testing::TestParamInfo<std::tuple<test::Engine, bool>> &run) const
+            std::string operator()(const ::testing::TestParamInfo<std::tuple<test::PlannerVariant, bool>> &run) const
             {
                 const auto [engine, wholeMotions] = run.param;
-                return std::string(engine == test::Engine::Paper ? "Paper" : "Default") +
+                return std::string(engine == test::PlannerVariant::Paper ? "Paper" : "Default") +
                        (wholeMotions ? "WholeMotions" : "States");
             }
         };
 
         INSTANTIATE_TEST_SUITE_P(Planner, ParallelPlanning,
-                                 ::testing::Combine(::testing::Values(test::Engine::Default, test::Engine::Paper),
+                                 ::testing::Combine(::testing::Values(test::PlannerVariant::Default,
+                                                                      test::PlannerVariant::Paper),
                                                     ::testing::Bool()),
                                  CaseName());
 
@@ -154,4 +155,4 @@ namespace ompl_mfa
             EXPECT_EQ(mfa->solve(test::untilExact(pdef_)), ob::PlannerStatus::EXACT_SOLUTION);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

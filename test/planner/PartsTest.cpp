@@ -49,7 +49,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -58,7 +58,7 @@ namespace ompl_mfa
         protected:
             std::shared_ptr<MFA> planner(const std::map<std::string, std::string> &parameters) const
             {
-                auto result = problem_->planner(test::Engine::Default);
+                auto result = problem_->planner(test::PlannerVariant::Default);
                 for (const auto &[name, value] : parameters)
                     test::set(*result, name, value);
                 return result;
@@ -167,4 +167,4 @@ namespace ompl_mfa
             EXPECT_EQ(mfa->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

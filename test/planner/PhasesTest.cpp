@@ -48,7 +48,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -71,7 +71,7 @@ namespace ompl_mfa
         {
             const auto problem = test::freeProblem();
             problem->pdef->setOptimizationObjective(std::make_shared<Slope>(problem->si));
-            const auto planner = problem->planner(test::Engine::Default);
+            const auto planner = problem->planner(test::PlannerVariant::Default);
             ASSERT_EQ(planner->solve(test::afterCalls(60000)), ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_GT(planner->shares().at("tightening"), 0.1);
             // while there is no path the trees have three tenths of the time, afterwards less
@@ -86,11 +86,11 @@ namespace ompl_mfa
             goals->addState(problem->state({9.0, 1.0}));
             problem->pdef->setGoal(goals);
             problem->pdef->setOptimizationObjective(std::make_shared<Slope>(problem->si));
-            const auto planner = problem->planner(test::Engine::Default);
+            const auto planner = problem->planner(test::PlannerVariant::Default);
             EXPECT_NE(planner->solve(test::afterCalls(2000)), ob::PlannerStatus::EXACT_SOLUTION);
             goals->addState(problem->state({4.0, 4.0}));
             ASSERT_EQ(planner->solve(test::afterCalls(100000)), ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_GT(planner->shares().at("tightening"), 0.1);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -65,18 +65,18 @@ namespace ompl_mfa::test
     }
 
     /** \brief The part of the planner that a test is about: as it comes, or the paper's algorithm alone. */
-    enum class Engine
+    enum class PlannerVariant
     {
         Default,
         Paper
     };
 
-    struct EngineName
+    struct VariantName
     {
         template <typename Info>
         std::string operator()(const Info &info) const
         {
-            return info.param == Engine::Paper ? "Paper" : "Default";
+            return info.param == PlannerVariant::Paper ? "Paper" : "Default";
         }
     };
 
@@ -87,7 +87,7 @@ namespace ompl_mfa::test
     }
 
     /** \brief A planner with a swarm small enough for many runs. */
-    inline std::shared_ptr<MFA> makePlanner(const ompl::base::SpaceInformationPtr &si, Engine engine,
+    inline std::shared_ptr<MFA> makePlanner(const ompl::base::SpaceInformationPtr &si, PlannerVariant variant,
                                             std::uint32_t seed = 7)
     {
         auto planner = std::make_shared<MFA>(si);
@@ -95,7 +95,7 @@ namespace ompl_mfa::test
         set(*planner, "slices", "5");
         set(*planner, "generations", "20");
         set(*planner, "seed", std::to_string(seed));
-        if (engine == Engine::Paper)
+        if (variant == PlannerVariant::Paper)
         {
             // exactly the paper; what a planner does not have it need not switch off
             if (planner->params().hasParam("guide"))
@@ -133,9 +133,9 @@ namespace ompl_mfa::test
             return result;
         }
 
-        std::shared_ptr<MFA> planner(Engine engine, std::uint32_t seed = 7) const
+        std::shared_ptr<MFA> planner(PlannerVariant variant, std::uint32_t seed = 7) const
         {
-            auto result = makePlanner(si, engine, seed);
+            auto result = makePlanner(si, variant, seed);
             result->setProblemDefinition(pdef);
             return result;
         }

@@ -49,7 +49,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -93,15 +93,16 @@ namespace ompl_mfa
             }
         }
 
-        class PublishedPaths : public ::testing::TestWithParam<test::Engine>
+        class PublishedPaths : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
             std::shared_ptr<MFA> planner_ = problem_->planner(GetParam());
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, PublishedPaths, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, PublishedPaths,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST(Publishing, ALongSolveLeavesABoundedNumberOfSolutions)
         {
@@ -116,7 +117,7 @@ namespace ompl_mfa
                     return sum > 16.0;
                 },
                 std::vector<double>(6, 2.0), std::vector<double>(6, 8.0));
-            const auto planner = problem.planner(test::Engine::Default);
+            const auto planner = problem.planner(test::PlannerVariant::Default);
             std::size_t improvements = 0;
             double best = std::numeric_limits<double>::infinity();
             planner->solve(ob::PlannerTerminationCondition(
@@ -185,4 +186,4 @@ namespace ompl_mfa
             EXPECT_EQ(problem_->reportedCost(), best);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

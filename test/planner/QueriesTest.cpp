@@ -59,11 +59,11 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
-        class Queries : public ::testing::TestWithParam<test::Engine>
+        class Queries : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc)
@@ -100,8 +100,9 @@ namespace ompl_mfa
             std::shared_ptr<MFA> planner_;
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, Queries, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, Queries,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(Queries, OneStartAndOneGoal)
         {
@@ -340,8 +341,9 @@ namespace ompl_mfa
             }
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, ChangedQueries, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, ChangedQueries,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(ChangedQueries, ListedGoalsMayBeClearedAndFilledAgain)
         {
@@ -521,7 +523,7 @@ namespace ompl_mfa
         }
 
         /* What the validity checker answers changes between two solves, with and without clear(). */
-        class ChangedWorlds : public ::testing::TestWithParam<test::Engine>
+        class ChangedWorlds : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             ChangedWorlds()
@@ -551,8 +553,9 @@ namespace ompl_mfa
             std::shared_ptr<MFA> planner_;
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, ChangedWorlds, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, ChangedWorlds,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(ChangedWorlds, ABestPathThatIsNoneAnyMoreIsForgotten)
         {
@@ -713,4 +716,4 @@ namespace ompl_mfa
                 EXPECT_LE(test::coordinate(state, 1), 7.0);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

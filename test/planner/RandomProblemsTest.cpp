@@ -61,7 +61,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -114,7 +114,7 @@ namespace ompl_mfa
             }
 
         private:
-            StateChart chart_;
+            path::StateChart chart_;
             Eigen::MatrixXd centers_;
             mutable Eigen::VectorXd positions_;
             std::vector<double> radii_;
@@ -148,7 +148,7 @@ namespace ompl_mfa
             bool make()
             {
                 const ob::StateSpacePtr &space = si_->getStateSpace();
-                const StateChart chart(space);
+                const path::StateChart chart(space);
                 std::vector<ob::ScopedState<>> ends;
                 for (int i = 0; i < 100 && ends.size() < 4; ++i)
                 {
@@ -361,4 +361,4 @@ namespace ompl_mfa
             EXPECT_LT(longest, SLOWDOWN * LONGEST_OVERRUN);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

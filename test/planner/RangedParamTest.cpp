@@ -42,7 +42,7 @@
 
 #include "planner/ConsoleRecord.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -94,4 +94,4 @@ namespace ompl_mfa
             EXPECT_TRUE(console.mentions("0 to 1"));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

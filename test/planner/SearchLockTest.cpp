@@ -54,7 +54,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -135,15 +135,16 @@ namespace ompl_mfa
             return data.numVertices();
         }
 
-        class SolveLock : public ::testing::TestWithParam<test::Engine>
+        class SolveLock : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
             std::shared_ptr<MFA> planner_ = problem_->planner(GetParam());
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, SolveLock, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, SolveLock,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(SolveLock, ACallbackMayWaitForAThreadThatAsksForPlannerData)
         {
@@ -243,7 +244,7 @@ namespace ompl_mfa
                     vertices = verticesOf(*planner_, problem_->si);
                     return ptc();
                 }));
-            EXPECT_GE(vertices, GetParam() == test::Engine::Paper ? 0U : 2U);
+            EXPECT_GE(vertices, GetParam() == test::PlannerVariant::Paper ? 0U : 2U);
         }
 
         TEST_P(SolveLock, AConditionIsNotAskedOnceSolveHasReturned)
@@ -278,4 +279,4 @@ namespace ompl_mfa
             EXPECT_FALSE(askedDead);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -60,7 +60,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
@@ -86,10 +86,10 @@ namespace ompl_mfa
 
         private:
             ob::StateSpacePtr space_;
-            StateChart chart_;
+            path::StateChart chart_;
         };
 
-        using Case = std::tuple<test::NamedSpace, test::Engine>;
+        using Case = std::tuple<test::NamedSpace, test::PlannerVariant>;
 
         class EverySpace : public ::testing::TestWithParam<Case>
         {
@@ -107,7 +107,7 @@ namespace ompl_mfa
             ob::ProblemDefinitionPtr problem(unsigned int number) const
             {
                 ompl::RNG rng(100 + number);
-                const StateChart chart(space_);
+                const path::StateChart chart(space_);
                 auto pdef = std::make_shared<ob::ProblemDefinition>(si_);
                 ob::ScopedState<> start(space_);
                 ob::ScopedState<> goal(space_);
@@ -131,13 +131,14 @@ namespace ompl_mfa
             std::string operator()(const Info &info) const
             {
                 return std::get<0>(info.param).name +
-                       (std::get<1>(info.param) == test::Engine::Paper ? "Paper" : "Default");
+                       (std::get<1>(info.param) == test::PlannerVariant::Paper ? "Paper" : "Default");
             }
         };
 
         INSTANTIATE_TEST_SUITE_P(Planner, EverySpace,
                                  ::testing::Combine(::testing::ValuesIn(test::supportedSpaces()),
-                                                    ::testing::Values(test::Engine::Default, test::Engine::Paper)),
+                                                    ::testing::Values(test::PlannerVariant::Default,
+                                                                      test::PlannerVariant::Paper)),
                                  CaseName());
 
         TEST_P(EverySpace, IsSolvedWithAPathThatPassesItsCheck)
@@ -257,13 +258,13 @@ namespace ompl_mfa
             Planner, PureRotation,
             ::testing::Combine(::testing::Values(test::NamedSpace{"SE2", [] { return test::se2Space(); }},
                                                  test::NamedSpace{"SE3", [] { return test::se3Space(); }}),
-                               ::testing::Values(test::Engine::Default, test::Engine::Paper)),
+                               ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper)),
             CaseName());
 
         TEST_P(PureRotation, IsSolvedWhereItHasToLeaveItsPlace)
         {
             const auto space = std::get<0>(GetParam()).make();
-            const StateChart chart(space);
+            const path::StateChart chart(space);
             const auto si = std::make_shared<ob::SpaceInformation>(space);
             ob::ScopedState<> start(space);
             ob::ScopedState<> goal(space);
@@ -331,7 +332,7 @@ namespace ompl_mfa
             goal[0] = -2.0;
             start[1] = goal[1] = start[2] = goal[2] = 0.0;
             pdef->setStartAndGoalStates(start, goal);
-            const auto planner = test::makePlanner(si, test::Engine::Default);
+            const auto planner = test::makePlanner(si, test::PlannerVariant::Default);
             planner->setProblemDefinition(pdef);
             ASSERT_EQ(planner->solve(test::afterCalls(3000)), ob::PlannerStatus::EXACT_SOLUTION);
             // with no obstacle the optimum is the Dubins curve itself
@@ -339,4 +340,4 @@ namespace ompl_mfa
             EXPECT_GT(planner->bestCost(), 4.0 + 3.14);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -56,11 +56,11 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
-        class Termination : public ::testing::TestWithParam<test::Engine>
+        class Termination : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             /* State checks that a motion across the whole space takes, beginning and end included. */
@@ -73,8 +73,9 @@ namespace ompl_mfa
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, Termination, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, Termination,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(Termination, AConditionThatIsTrueAlreadyEndsTheSearchBeforeAnyMotionIsChecked)
         {
@@ -287,9 +288,9 @@ namespace ompl_mfa
             constexpr std::uint64_t SIZE = 1500;
             const auto objective = std::make_shared<CountedIntegral>(problem_->si);
             problem_->pdef->setOptimizationObjective(objective);
-            const auto planner = problem_->planner(test::Engine::Paper);
+            const auto planner = problem_->planner(test::PlannerVariant::Paper);
             test::set(*planner, "population_size", std::to_string(SIZE));
-            test::set(*planner, "variant", GetParam() == test::Engine::Paper ? "mfa" : "fa");
+            test::set(*planner, "variant", GetParam() == test::PlannerVariant::Paper ? "mfa" : "fa");
             std::uint64_t computed = 0;
             std::uint64_t asked = 0;
             std::uint64_t most = 0;
@@ -335,4 +336,4 @@ namespace ompl_mfa
             problem_->pdef->setIntermediateSolutionCallback({});
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -51,18 +51,19 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::planner
 {
     namespace
     {
-        class Threads : public ::testing::TestWithParam<test::Engine>
+        class Threads : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
         };
 
-        INSTANTIATE_TEST_SUITE_P(Planner, Threads, ::testing::Values(test::Engine::Default, test::Engine::Paper),
-                                 test::EngineName());
+        INSTANTIATE_TEST_SUITE_P(Planner, Threads,
+                                 ::testing::Values(test::PlannerVariant::Default, test::PlannerVariant::Paper),
+                                 test::VariantName());
 
         TEST_P(Threads, TwoPlannersShareOneSpaceInformation)
         {
@@ -149,4 +150,4 @@ namespace ompl_mfa
             watcher.join();
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::planner

@@ -43,7 +43,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -99,7 +99,7 @@ namespace ompl_mfa
         const bool better = incumbent.improvedBy(firefly->cost->value());
         if (!better && (!context().settings.tightening ||
                         !context().objective().isCostBetterThan(ob::Cost(incumbent.cost()), *firefly->cost) ||
-                        seemDeformable(context().evaluator(), firefly->path, incumbent.path())))
+                        path::seemDeformable(context().evaluator(), firefly->path, incumbent.path())))
             return;
         findings.paths.push_back(std::move(*firefly));
     }
@@ -108,4 +108,4 @@ namespace ompl_mfa
     {
         swarms_->explain(graph);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

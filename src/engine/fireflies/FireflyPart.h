@@ -42,7 +42,7 @@
 #include "engine/SearchPart.h"
 #include "engine/fireflies/Swarms.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief Flies the swarms, generation after generation. */
     class FireflyPart : public SearchPart
@@ -61,6 +61,6 @@ namespace ompl_mfa
 
         std::shared_ptr<Swarms> swarms_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

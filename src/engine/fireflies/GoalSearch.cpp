@@ -44,12 +44,12 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
         /* The box of coordinates around the origin that holds the whole space. */
-        Eigen::VectorXd reachAlong(const StateChart &chart, const ob::State *origin, double sign)
+        Eigen::VectorXd reachAlong(const path::StateChart &chart, const ob::State *origin, double sign)
         {
             Eigen::VectorXd reach(chart.dimension());
             for (Eigen::Index i = 0; i < chart.positionDimension(); ++i)
@@ -69,7 +69,7 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    GoalSearch::GoalSearch(const StateChartPtr &chart, const ob::SpaceInformationPtr &si, ob::GoalPtr goal,
+    GoalSearch::GoalSearch(const path::StateChartPtr &chart, const ob::SpaceInformationPtr &si, ob::GoalPtr goal,
                            const ob::State *origin, std::uint64_t seed)
       : chart_(chart)
       , si_(si)
@@ -103,7 +103,7 @@ namespace ompl_mfa
         return {std::max(distance, std::numeric_limits<double>::min()), 0.0};
     }
 
-    bool GoalSearch::advance(const FireflyOptimizer::StopCondition &stop, Waypoints &found)
+    bool GoalSearch::advance(const FireflyOptimizer::StopCondition &stop, path::Waypoints &found)
     {
         satisfying_.clear();
         // a swarm that gathered short of the goal stays there
@@ -119,4 +119,4 @@ namespace ompl_mfa
         found.append(satisfying_.front());
         return true;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -36,7 +36,7 @@
 
 #include "engine/fireflies/GoalSearchPart.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -71,7 +71,7 @@ namespace ompl_mfa
     /* A generation. */
     void GoalSearchPart::advance(std::uint64_t /*work*/, Findings &findings)
     {
-        PathEvaluator &evaluator = context().evaluator();
+        path::PathEvaluator &evaluator = context().evaluator();
         if (!search_)
         {
             search_ = std::make_unique<GoalSearch>(context().chart, context().spaceInformation(),
@@ -83,4 +83,4 @@ namespace ompl_mfa
             due_ = evaluator.work() + PAUSE * ++found_;
         evaluator.addChecks(search_->evaluations() - before);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

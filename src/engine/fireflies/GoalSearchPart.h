@@ -42,7 +42,7 @@
 #include "engine/SearchPart.h"
 #include "engine/fireflies/GoalSearch.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief Appends goal states where the goal cannot be sampled but tells distances. */
     class GoalSearchPart : public SearchPart
@@ -60,6 +60,6 @@ namespace ompl_mfa
         std::uint64_t found_{0};
         std::uint64_t due_{0};  ///< work of the evaluator before the next turn
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

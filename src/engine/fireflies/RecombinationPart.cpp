@@ -38,7 +38,7 @@
 
 #include <utility>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -83,8 +83,8 @@ namespace ompl_mfa
             return;
         }
         const Incumbent &incumbent = context().incumbent;
-        Waypoints onSlices(context().chart->space());
-        Waypoints spliced(context().chart->space());
+        path::Waypoints onSlices(context().chart->space());
+        path::Waypoints spliced(context().chart->space());
         if (!incumbent.hasPath() || !swarm->frame().crossings(incumbent.path(), onSlices))
             onSlices.clear();
         const double bound =
@@ -92,4 +92,4 @@ namespace ompl_mfa
         if (swarm->recombine(onSlices, bound, work, spliced))
             propose(std::move(spliced), findings);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -42,7 +42,7 @@
 #include "engine/SearchPart.h"
 #include "engine/fireflies/Swarms.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief Splices the paths of the active swarm, the best path and fresh states on the slices into better paths. */
     class RecombinationPart : public SearchPart
@@ -59,6 +59,6 @@ namespace ompl_mfa
     private:
         std::shared_ptr<Swarms> swarms_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

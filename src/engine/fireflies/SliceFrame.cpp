@@ -43,7 +43,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -74,12 +74,12 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    SliceFrame SliceFrame::straight(const StateChartPtr &chart, const ob::State *start, const ob::State *goal,
+    SliceFrame SliceFrame::straight(const path::StateChartPtr &chart, const ob::State *start, const ob::State *goal,
                                     unsigned int segments, double reach)
     {
         Eigen::VectorXd delta(chart->dimension());
         chart->difference(start, goal, delta);
-        Waypoints axis(chart->space());
+        path::Waypoints axis(chart->space());
         axis.resize(segments + 1);
         for (unsigned int k = 1; k < segments; ++k)
             chart->displace(start, delta * (static_cast<double>(k) / segments), axis[k]);
@@ -88,7 +88,7 @@ namespace ompl_mfa
         return {chart, std::move(axis), reach};
     }
 
-    SliceFrame::SliceFrame(StateChartPtr chart, Waypoints axis, double reach)
+    SliceFrame::SliceFrame(path::StateChartPtr chart, path::Waypoints axis, double reach)
       : chart_(std::move(chart))
       , axis_(std::move(axis))
     {
@@ -154,7 +154,7 @@ namespace ompl_mfa
         chart_->displace(axis_[k + 1], scratch, state);
     }
 
-    void SliceFrame::toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, Waypoints &path,
+    void SliceFrame::toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, path::Waypoints &path,
                                  Eigen::VectorXd &scratch) const
     {
         path.resize(axis_.size());
@@ -164,7 +164,7 @@ namespace ompl_mfa
         chart_->space()->copyState(path[slices_.size() + 1], axis_.back());
     }
 
-    void SliceFrame::toCoordinates(const Waypoints &path, Eigen::Ref<Eigen::VectorXd> x) const
+    void SliceFrame::toCoordinates(const path::Waypoints &path, Eigen::Ref<Eigen::VectorXd> x) const
     {
         const Eigen::Index rotations = chart_->rotationDimension();
         Eigen::VectorXd delta(chart_->dimension());
@@ -179,7 +179,7 @@ namespace ompl_mfa
         }
     }
 
-    bool SliceFrame::crossings(const Waypoints &path, Waypoints &onSlices) const
+    bool SliceFrame::crossings(const path::Waypoints &path, path::Waypoints &onSlices) const
     {
         const auto &space = chart_->space();
         const Eigen::Index n = chart_->positionDimension();
@@ -210,10 +210,10 @@ namespace ompl_mfa
         return true;
     }
 
-    std::vector<Waypoints> SliceFrame::sliceEnds() const
+    std::vector<path::Waypoints> SliceFrame::sliceEnds() const
     {
-        std::vector<Waypoints> result;
-        Waypoints ends(chart()->space());
+        std::vector<path::Waypoints> result;
+        path::Waypoints ends(chart()->space());
         ends.resize(2);
         Eigen::VectorXd scratch;
         for (std::size_t k = 0; k < slices(); ++k)
@@ -231,4 +231,4 @@ namespace ompl_mfa
         }
         return result;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

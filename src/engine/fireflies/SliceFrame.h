@@ -46,7 +46,7 @@
 #include "path/StateChart.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief The fixed-slice parameterisation of a path: m - 1 slices across an axis from start to goal, and a path as
         one point on each of them (section III.C of the paper, in any space that has a StateChart).
@@ -63,14 +63,15 @@ namespace ompl_mfa
     public:
         /** \brief A straight frame with \e segments >= 1 segments, that is segments - 1 slices. No coordinate exceeds
             \e reach (a distance). */
-        static SliceFrame straight(const StateChartPtr &chart, const ompl::base::State *start,
+        static SliceFrame straight(const path::StateChartPtr &chart, const ompl::base::State *start,
                                    const ompl::base::State *goal, unsigned int segments,
                                    double reach = std::numeric_limits<double>::infinity());
 
         /** \brief A frame along \e axis: its first and last state are start and goal, those between are the origins of
             the slices. No coordinate exceeds \e reach (a distance). Throws std::invalid_argument with fewer than two
             states. */
-        SliceFrame(StateChartPtr chart, Waypoints axis, double reach = std::numeric_limits<double>::infinity());
+        SliceFrame(path::StateChartPtr chart, path::Waypoints axis,
+                   double reach = std::numeric_limits<double>::infinity());
 
         /** \brief m - 1: the number of slices. */
         std::size_t slices() const
@@ -92,7 +93,7 @@ namespace ompl_mfa
 
         /** \brief A pair of states for each lateral coordinate: where the slice ends on either side. Allocates; not for
             the search. */
-        std::vector<Waypoints> sliceEnds() const;
+        std::vector<path::Waypoints> sliceEnds() const;
 
         /** \brief Smallest coordinates (d): where the bounds of the space, or the reach, end. */
         const Eigen::VectorXd &lower() const
@@ -107,12 +108,12 @@ namespace ompl_mfa
         }
 
         /** \brief Start, the origins of the slices, and goal. */
-        const Waypoints &axis() const
+        const path::Waypoints &axis() const
         {
             return axis_;
         }
 
-        const StateChartPtr &chart() const
+        const path::StateChartPtr &chart() const
         {
             return chart_;
         }
@@ -124,15 +125,16 @@ namespace ompl_mfa
 
         /** \brief The path (slices() + 2 states, with start and goal) at coordinates \e x (d); \e scratch as in
             toState. */
-        void toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, Waypoints &path, Eigen::VectorXd &scratch) const;
+        void toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, path::Waypoints &path,
+                         Eigen::VectorXd &scratch) const;
 
         /** \brief The coordinates \e x (d) of \e path (slices() + 2 states, one on each slice between start and
             goal); what lies along the axis is lost. Inverse of toWaypoints for states on the slices. */
-        void toCoordinates(const Waypoints &path, Eigen::Ref<Eigen::VectorXd> x) const;
+        void toCoordinates(const path::Waypoints &path, Eigen::Ref<Eigen::VectorXd> x) const;
 
         /** \brief Lays the slices of a straight frame across a path of any number of states: on each slice the first
             point of \e path that comes to it. False if the path misses a slice or stands still in position. */
-        bool crossings(const Waypoints &path, Waypoints &onSlices) const;
+        bool crossings(const path::Waypoints &path, path::Waypoints &onSlices) const;
 
     private:
         struct Slice
@@ -146,12 +148,12 @@ namespace ompl_mfa
         Slice makeSlice(std::size_t k, Eigen::Index offset) const;
         void setBounds(std::size_t k, double reach);
 
-        StateChartPtr chart_;
-        Waypoints axis_;
+        path::StateChartPtr chart_;
+        path::Waypoints axis_;
         std::vector<Slice> slices_;
         Eigen::VectorXd lower_;
         Eigen::VectorXd upper_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

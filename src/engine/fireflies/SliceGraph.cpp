@@ -38,12 +38,12 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
-    SliceGraph::SliceGraph(const SliceFrame &frame, PathEvaluator &evaluator)
+    SliceGraph::SliceGraph(const SliceFrame &frame, path::PathEvaluator &evaluator)
       : frame_(frame)
       , evaluator_(evaluator)
-      , candidates_(frame.slices(), Waypoints(frame.chart()->space()))
+      , candidates_(frame.slices(), path::Waypoints(frame.chart()->space()))
       , graph_(evaluator)
     {
     }
@@ -59,13 +59,13 @@ namespace ompl_mfa
         candidates_[k].append(state);
     }
 
-    void SliceGraph::addCandidates(const Waypoints &path)
+    void SliceGraph::addCandidates(const path::Waypoints &path)
     {
         for (std::size_t k = 0; k < candidates_.size(); ++k)
             addCandidate(k, path[k + 1]);
     }
 
-    bool SliceGraph::search(double bound, std::uint64_t work, Waypoints &path)
+    bool SliceGraph::search(double bound, std::uint64_t work, path::Waypoints &path)
     {
         const ob::State *start = frame_.axis().front();
         const ob::State *goal = frame_.axis().back();
@@ -102,4 +102,4 @@ namespace ompl_mfa
         graph_.setGoal(next.front());
         return join() && graph_.search(bound, work, path);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

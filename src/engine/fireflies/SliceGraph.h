@@ -44,7 +44,7 @@
 #include "engine/graph/LazyGraph.h"
 #include "path/PathEvaluator.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief Recombination: all paths of one frame put their points on the same slices, so that any point of one slice
         may be joined to any of the next. N candidates on each of m - 1 slices make a layered graph of N^(m-1) paths,
@@ -53,7 +53,7 @@ namespace ompl_mfa
     {
     public:
         /** \brief \e frame and \e evaluator outlive the object. */
-        SliceGraph(const SliceFrame &frame, PathEvaluator &evaluator);
+        SliceGraph(const SliceFrame &frame, path::PathEvaluator &evaluator);
 
         /** \brief Removes all candidates. */
         void clear();
@@ -62,18 +62,18 @@ namespace ompl_mfa
         void addCandidate(std::size_t k, const ompl::base::State *state);
 
         /** \brief Adds the points of \e path (slices + 2 states) to the candidates of each slice. */
-        void addCandidates(const Waypoints &path);
+        void addCandidates(const path::Waypoints &path);
 
         /** \brief Finds the best valid path through one candidate of each slice if it is better than \e bound
             (infinite: any), within about \e work units of PathEvaluator::work(). */
-        bool search(double bound, std::uint64_t work, Waypoints &path);
+        bool search(double bound, std::uint64_t work, path::Waypoints &path);
 
     private:
         const SliceFrame &frame_;
-        PathEvaluator &evaluator_;
-        std::vector<Waypoints> candidates_;
-        LazyGraph graph_;
+        path::PathEvaluator &evaluator_;
+        std::vector<path::Waypoints> candidates_;
+        graph::LazyGraph graph_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

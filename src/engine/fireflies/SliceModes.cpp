@@ -42,7 +42,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -127,4 +127,4 @@ namespace ompl_mfa
         Eigen::Map<Eigen::MatrixXd>(amplitudes.data(), perSlice_, m).noalias() =
             Eigen::Map<const Eigen::MatrixXd>(x.data(), perSlice_, m) * waves_;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -43,7 +43,7 @@
 
 #include "engine/fireflies/SliceFrame.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief Smooth coordinates of the paths over a SliceFrame: the amplitudes of sine waves along the axis, which
        vanish at start and goal, instead of an offset on each slice. The k-th wave may be 1/k as high as the first, so
@@ -94,6 +94,6 @@ namespace ompl_mfa
         Eigen::VectorXd lower_;
         Eigen::VectorXd upper_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

@@ -41,9 +41,9 @@
 #include <limits>
 #include <utility>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
-    SliceObjective::SliceObjective(const SliceFrame &frame, const SliceModes *modes, PathEvaluator &evaluator,
+    SliceObjective::SliceObjective(const SliceFrame &frame, const SliceModes *modes, path::PathEvaluator &evaluator,
                                    ValidPathEvent validPath)
       : frame_(frame)
       , modes_(modes)
@@ -122,4 +122,4 @@ namespace ompl_mfa
     {
         return evaluator_.isBrighter(underBound(a), underBound(b));
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -44,7 +44,7 @@
 #include "ompl_mfa/optimizer/ObjectiveFunction.h"
 #include "path/PathEvaluator.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief What the fireflies optimise: the brightness of the path at the coordinates of a SliceFrame, or at the
         amplitudes of its modes. Frame, modes and evaluator must outlive it. */
@@ -52,10 +52,10 @@ namespace ompl_mfa
     {
     public:
         /** \brief Called with every valid path that an evaluation finds. */
-        using ValidPathEvent = std::function<void(const Waypoints &path, const Brightness &brightness)>;
+        using ValidPathEvent = std::function<void(const path::Waypoints &path, const Brightness &brightness)>;
 
         /** \brief \e modes may be null. */
-        SliceObjective(const SliceFrame &frame, const SliceModes *modes, PathEvaluator &evaluator,
+        SliceObjective(const SliceFrame &frame, const SliceModes *modes, path::PathEvaluator &evaluator,
                        ValidPathEvent validPath);
 
         /** \brief From now on a path must cost less than \e bound (be better than it, as the objective orders costs):
@@ -87,15 +87,15 @@ namespace ompl_mfa
 
         const SliceFrame &frame_;
         const SliceModes *modes_;
-        PathEvaluator &evaluator_;
+        path::PathEvaluator &evaluator_;
         ValidPathEvent validPath_;
-        Waypoints path_;
+        path::Waypoints path_;
         Eigen::VectorXd coordinates_;
         Eigen::VectorXd scratch_;
         double bound_;
         unsigned int stride_{1};
         double beyondBound_;  ///< larger than the violation of any path that keeps to the bound
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

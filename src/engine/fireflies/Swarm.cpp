@@ -41,7 +41,7 @@
 
 #include "engine/Streams.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -52,7 +52,7 @@ namespace ompl_mfa
         constexpr std::uint64_t OPERATIONS_A_WORK_UNIT = 8;
     }  // namespace
 
-    Swarm::Swarm(SliceFrame frame, Coordinates coordinates, PathEvaluator &evaluator,
+    Swarm::Swarm(SliceFrame frame, Coordinates coordinates, path::PathEvaluator &evaluator,
                  const FireflyOptimizer::Settings &settings, std::uint64_t seed,
                  SliceObjective::ValidPathEvent validPath)
       : frame_(std::move(frame))
@@ -82,7 +82,7 @@ namespace ompl_mfa
             fireflies_->orderChanged(objective_);
     }
 
-    void Swarm::pathOf(Eigen::Index i, Waypoints &path) const
+    void Swarm::pathOf(Eigen::Index i, path::Waypoints &path) const
     {
         Eigen::VectorXd offsets = fireflies_->population().col(i);
         if (modes_)
@@ -91,7 +91,7 @@ namespace ompl_mfa
         frame_.toWaypoints(offsets, path, scratch);
     }
 
-    void Swarm::inject(const Waypoints &path)
+    void Swarm::inject(const path::Waypoints &path)
     {
         Eigen::VectorXd x(frame_.dimension());
         frame_.toCoordinates(path, x);
@@ -150,7 +150,7 @@ namespace ompl_mfa
         return true;
     }
 
-    bool Swarm::recombine(const Waypoints &path, double bound, std::uint64_t work, Waypoints &found)
+    bool Swarm::recombine(const path::Waypoints &path, double bound, std::uint64_t work, path::Waypoints &found)
     {
         if (!addCandidates())
             return false;
@@ -179,4 +179,4 @@ namespace ompl_mfa
         countOperations();
         return completed;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -47,7 +47,7 @@
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief Fireflies over the slices of one frame, epoch after epoch. */
     class Swarm
@@ -62,14 +62,14 @@ namespace ompl_mfa
         };
 
         /** \brief \e frame has at least one coordinate; \e evaluator outlives the swarm. */
-        Swarm(SliceFrame frame, Coordinates coordinates, PathEvaluator &evaluator,
+        Swarm(SliceFrame frame, Coordinates coordinates, path::PathEvaluator &evaluator,
               const FireflyOptimizer::Settings &settings, std::uint64_t seed, SliceObjective::ValidPathEvent validPath);
         Swarm(const Swarm &) = delete;
         Swarm &operator=(const Swarm &) = delete;
 
         /** \brief Puts \e path (one state on each slice between start and goal) into the swarm before its first
             generation. */
-        void inject(const Waypoints &path);
+        void inject(const path::Waypoints &path);
 
         /** \brief As SliceObjective::setBound; the fireflies are ordered by the new bound. */
         void setBound(double bound);
@@ -82,7 +82,7 @@ namespace ompl_mfa
 
         /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. Allocates; not
             for the search. */
-        void pathOf(Eigen::Index i, Waypoints &path) const;
+        void pathOf(Eigen::Index i, path::Waypoints &path) const;
 
         /** \brief One generation, as FireflyOptimizer::step, whose operations are counted as work of the evaluator.
             After the last generation of an epoch the next begins with the brightest fifth of the old swarm among new
@@ -92,7 +92,7 @@ namespace ompl_mfa
         /** \brief Recombination: searches the graph of the fireflies' points, of \e path (one state on each slice; may
            be empty) and of fresh states on the slices for a path better than \e bound, within about \e work units of
             PathEvaluator::work(). True with the path in \e found. */
-        bool recombine(const Waypoints &path, double bound, std::uint64_t work, Waypoints &found);
+        bool recombine(const path::Waypoints &path, double bound, std::uint64_t work, path::Waypoints &found);
 
         const SliceFrame &frame() const
         {
@@ -124,12 +124,12 @@ namespace ompl_mfa
         bool addCandidates();
 
         SliceFrame frame_;
-        PathEvaluator &evaluator_;
+        path::PathEvaluator &evaluator_;
         std::unique_ptr<SliceModes> modes_;
         SliceObjective objective_;
         SliceGraph graph_;
         RandomSource random_;
-        Waypoints point_;
+        path::Waypoints point_;
         Eigen::VectorXd coordinates_;  ///< of the frame
         Eigen::VectorXd scratch_;
         std::uint64_t seed_;
@@ -138,6 +138,6 @@ namespace ompl_mfa
         std::uint64_t earlierEvaluations_{0};
         std::uint64_t countedOperations_{0};  ///< of fireflies_, as far as they were added to the evaluator's work
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

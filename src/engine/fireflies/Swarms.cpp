@@ -43,7 +43,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -61,7 +61,7 @@ namespace ompl_mfa
       : context_(context)
       , options_(options)
       , windowRandom_(streamSeed(context.seed, Stream::Windows))
-      , firefly_{Waypoints(context.chart->space()), std::nullopt, Proposal::Stage::Raw, PartKind::Fireflies}
+      , firefly_{path::Waypoints(context.chart->space()), std::nullopt, Proposal::Stage::Raw, PartKind::Fireflies}
     {
     }
 
@@ -132,7 +132,7 @@ namespace ompl_mfa
             ++laid_;
             if (frame.dimension() == 0)
                 continue;
-            const auto validPath = [this](const Waypoints &path, const Brightness &brightness)
+            const auto validPath = [this](const path::Waypoints &path, const Brightness &brightness)
             { keepFirefly(path, brightness.cost); };
             straight_.push_back(std::make_unique<Swarm>(
                 std::move(frame), options_.coordinates, context_.evaluator(), options_.fireflies,
@@ -165,7 +165,7 @@ namespace ompl_mfa
 
     bool Swarms::fly(std::uint64_t work)
     {
-        PathEvaluator &evaluator = context_.evaluator();
+        path::PathEvaluator &evaluator = context_.evaluator();
         const std::uint64_t limit = evaluator.work() + work;
         const std::uint64_t before = active_->evaluations();
         const bool completed = active_->step([&] { return evaluator.work() >= limit || evaluator.stopped(); });
@@ -186,17 +186,17 @@ namespace ompl_mfa
        window has served. Whether it has. */
     bool Swarms::pursueWindow(Findings &findings)
     {
-        PathEvaluator &evaluator = context_.evaluator();
+        path::PathEvaluator &evaluator = context_.evaluator();
         if (window_->found().empty() || evaluator.stopped())
             return false;
         // one that can be deformed into the segment that is there would only be tightened to that
-        if (!context_.settings.tightening || !seemDeformable(evaluator, window_->found(), window_->segment()))
+        if (!context_.settings.tightening || !path::seemDeformable(evaluator, window_->found(), window_->segment()))
             findings.detours.push_back(window_->detour(PartKind::Fireflies));
         windowServed_ = true;
         return true;
     }
 
-    void Swarms::keepFirefly(const Waypoints &path, double cost)
+    void Swarms::keepFirefly(const path::Waypoints &path, double cost)
     {
         if (!firefly_.path.empty() && !context_.objective().isCostBetterThan(ob::Cost(cost), *firefly_.cost))
             return;
@@ -213,12 +213,12 @@ namespace ompl_mfa
         return firefly;
     }
 
-    std::vector<Waypoints> Swarms::currentPaths() const
+    std::vector<path::Waypoints> Swarms::currentPaths() const
     {
-        std::vector<Waypoints> paths;
+        std::vector<path::Waypoints> paths;
         if (active_ == nullptr)
             return paths;
-        Waypoints path(context_.chart->space());
+        path::Waypoints path(context_.chart->space());
         for (const unsigned int i : active_->fireflies().order())
         {
             active_->pathOf(i, path);
@@ -229,7 +229,7 @@ namespace ompl_mfa
 
     void Swarms::explain(SearchGraph &graph) const
     {
-        Waypoints path(context_.chart->space());
+        path::Waypoints path(context_.chart->space());
         const auto add = [&](const Swarm &swarm, const WindowSwarm *window)
         {
             const FireflyOptimizer &fireflies = swarm.fireflies();
@@ -247,4 +247,4 @@ namespace ompl_mfa
         if (window_)
             add(window_->swarm(), window_.get());
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

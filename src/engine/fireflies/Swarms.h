@@ -47,7 +47,7 @@
 #include "engine/fireflies/WindowSwarm.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief The swarms of a search: over the straight axes between starts and goals, and in windows of the best path
         or an alternative. One of them is active at a time. */
@@ -114,7 +114,7 @@ namespace ompl_mfa
         std::optional<Proposal> takeFirefly();
 
         /** \brief The paths of the current swarm, brightest first. */
-        std::vector<Waypoints> currentPaths() const;
+        std::vector<path::Waypoints> currentPaths() const;
 
         /** \brief Adds all fireflies that are valid. */
         void explain(SearchGraph &graph) const;
@@ -125,7 +125,7 @@ namespace ompl_mfa
         void layStraight();
         void openWindow();
         bool pursueWindow(Findings &findings);
-        void keepFirefly(const Waypoints &path, double cost);
+        void keepFirefly(const path::Waypoints &path, double cost);
 
         const SearchContext &context_;
         Options options_;
@@ -140,6 +140,6 @@ namespace ompl_mfa
         RandomSource windowRandom_;
         Proposal firefly_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

@@ -43,7 +43,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -55,7 +55,7 @@ namespace ompl_mfa
         constexpr unsigned int STRIDE = 20;
     }  // namespace
 
-    WindowSwarm::WindowSwarm(Window window, PathEvaluator &evaluator)
+    WindowSwarm::WindowSwarm(Window window, path::PathEvaluator &evaluator)
       : window_(std::move(window))
       , evaluator_(evaluator)
       , segment_(window_.path.space())
@@ -78,7 +78,7 @@ namespace ompl_mfa
     }
 
     std::unique_ptr<WindowSwarm> WindowSwarm::open(Window window, Frame frame, unsigned int slices,
-                                                   const StateChartPtr &chart, PathEvaluator &evaluator,
+                                                   const path::StateChartPtr &chart, path::PathEvaluator &evaluator,
                                                    const FireflyOptimizer::Settings &settings, std::uint64_t seed)
     {
         std::unique_ptr<WindowSwarm> result(new WindowSwarm(std::move(window), evaluator));
@@ -86,7 +86,7 @@ namespace ompl_mfa
             frame == Frame::Straight ? result->straightFrame(chart, slices) : result->curvedFrame(chart, slices);
         if (laid.dimension() == 0)
             return nullptr;
-        const auto validSegment = [found = result.get()](const Waypoints &segment, const Brightness &brightness)
+        const auto validSegment = [found = result.get()](const path::Waypoints &segment, const Brightness &brightness)
         { found->take(segment, brightness.cost); };
         result->swarm_ = std::make_unique<Swarm>(std::move(laid), Swarm::Coordinates::Modes, evaluator, settings, seed,
                                                  validSegment);
@@ -103,19 +103,19 @@ namespace ompl_mfa
         return 0.5 * std::sqrt(std::max(0.0, longest * longest - axis * axis));
     }
 
-    SliceFrame WindowSwarm::straightFrame(const StateChartPtr &chart, unsigned int slices) const
+    SliceFrame WindowSwarm::straightFrame(const path::StateChartPtr &chart, unsigned int slices) const
     {
         return SliceFrame::straight(chart, segment_.front(), segment_.back(), slices + 1,
                                     reach(chart->distance(segment_.front(), segment_.back())));
     }
 
     /* An axis through the vertices, with more of them where motions are long. */
-    SliceFrame WindowSwarm::curvedFrame(const StateChartPtr &chart, unsigned int slices) const
+    SliceFrame WindowSwarm::curvedFrame(const path::StateChartPtr &chart, unsigned int slices) const
     {
         const auto &space = chart->space();
         const double length = segment_.length();
         const double spacing = length / (slices + 1);
-        Waypoints axis(space);
+        path::Waypoints axis(space);
         axis.append(segment_.front());
         for (std::size_t i = 1; i < segment_.size(); ++i)
         {
@@ -134,7 +134,7 @@ namespace ompl_mfa
         return {chart, std::move(axis), reach(length)};
     }
 
-    bool WindowSwarm::take(const Waypoints &segment, double cost)
+    bool WindowSwarm::take(const path::Waypoints &segment, double cost)
     {
         if (!found_.empty() && !evaluator_.objective()->isCostBetterThan(ob::Cost(cost), ob::Cost(foundCost_)))
             return false;
@@ -145,8 +145,8 @@ namespace ompl_mfa
 
     bool WindowSwarm::recombine(std::uint64_t work)
     {
-        const Waypoints none(window_.path.space());
-        Waypoints spliced(window_.path.space());
+        const path::Waypoints none(window_.path.space());
+        path::Waypoints spliced(window_.path.space());
         // where the stop condition left the cost of what was found unknown, that is no bound
         const bool better =
             !found_.empty() && evaluator_.objective()->isCostBetterThan(ob::Cost(foundCost_), ob::Cost(bound_));
@@ -164,8 +164,8 @@ namespace ompl_mfa
         return {found_, ob::Cost(foundCost_), cost_, window_.path, window_.first, window_.last, origin};
     }
 
-    Waypoints WindowSwarm::pathWith(const Waypoints &segment) const
+    path::Waypoints WindowSwarm::pathWith(const path::Waypoints &segment) const
     {
         return replaceSegment(window_.path, window_.first, window_.last, segment);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

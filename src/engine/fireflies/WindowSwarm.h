@@ -46,7 +46,7 @@
 #include "engine/SearchPart.h"
 #include "engine/fireflies/Swarm.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     /** \brief Fireflies in a window of a path: they look for another way between two of its vertices, and know nothing
         of the one that is there.
@@ -68,7 +68,7 @@ namespace ompl_mfa
         /** \brief The vertices \e first < \e last of a path of cost \e pathCost, which may be infinite. */
         struct Window
         {
-            Waypoints path;
+            path::Waypoints path;
             std::size_t first;
             std::size_t last;
             double pathCost;
@@ -77,7 +77,7 @@ namespace ompl_mfa
         /** \brief Null where the slices have no coordinates, as in one dimension. \e slices of a straight frame, and
             about as many of a curved one; \e evaluator outlives the swarm. */
         static std::unique_ptr<WindowSwarm> open(Window window, Frame frame, unsigned int slices,
-                                                 const StateChartPtr &chart, PathEvaluator &evaluator,
+                                                 const path::StateChartPtr &chart, path::PathEvaluator &evaluator,
                                                  const FireflyOptimizer::Settings &settings, std::uint64_t seed);
 
         /** \brief As Swarm::recombine; true if it found a better segment than found(), which that now is. */
@@ -88,7 +88,7 @@ namespace ompl_mfa
 
         /** \brief The best valid segment so far from the first vertex of the window to its last; empty before the
             first. */
-        const Waypoints &found() const
+        const path::Waypoints &found() const
         {
             return found_;
         }
@@ -100,7 +100,7 @@ namespace ompl_mfa
         }
 
         /** \brief The segment of the path within the window. */
-        const Waypoints &segment() const
+        const path::Waypoints &segment() const
         {
             return segment_;
         }
@@ -115,7 +115,7 @@ namespace ompl_mfa
         Detour detour(PartKind origin) const;
 
         /** \brief The whole path, with \e segment instead of segment(). */
-        Waypoints pathWith(const Waypoints &segment) const;
+        path::Waypoints pathWith(const path::Waypoints &segment) const;
 
         Swarm &swarm()
         {
@@ -128,22 +128,22 @@ namespace ompl_mfa
         }
 
     private:
-        WindowSwarm(Window window, PathEvaluator &evaluator);
-        SliceFrame straightFrame(const StateChartPtr &chart, unsigned int slices) const;
-        SliceFrame curvedFrame(const StateChartPtr &chart, unsigned int slices) const;
+        WindowSwarm(Window window, path::PathEvaluator &evaluator);
+        SliceFrame straightFrame(const path::StateChartPtr &chart, unsigned int slices) const;
+        SliceFrame curvedFrame(const path::StateChartPtr &chart, unsigned int slices) const;
         double reach(double axis) const;
         double boundOf(ompl::base::Cost segment) const;
-        bool take(const Waypoints &segment, double cost);
+        bool take(const path::Waypoints &segment, double cost);
 
         Window window_;
-        PathEvaluator &evaluator_;
-        Waypoints segment_;
+        path::PathEvaluator &evaluator_;
+        path::Waypoints segment_;
         ompl::base::Cost cost_;
         double bound_;
         std::unique_ptr<Swarm> swarm_;
-        Waypoints found_;
+        path::Waypoints found_;
         double foundCost_{0.0};  ///< of found_, unless that is empty
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies
 
 #endif

@@ -42,7 +42,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::graph
 {
     namespace
     {
@@ -62,7 +62,7 @@ namespace ompl_mfa
         constexpr unsigned int MAX_EXPANSIONS = 20;
     }  // namespace
 
-    LazyGraph::LazyGraph(PathEvaluator &evaluator)
+    LazyGraph::LazyGraph(path::PathEvaluator &evaluator)
       : evaluator_(evaluator)
       , states_(evaluator.spaceInformation()->getStateSpace())
     {
@@ -554,7 +554,7 @@ namespace ompl_mfa
         return outcome;
     }
 
-    void LazyGraph::extract(Waypoints &path) const
+    void LazyGraph::extract(path::Waypoints &path) const
     {
         path.clear();
         Index vertex = found_;
@@ -567,7 +567,7 @@ namespace ompl_mfa
         path.reverse();
     }
 
-    bool LazyGraph::search(double bound, std::uint64_t work, Waypoints &path)
+    bool LazyGraph::search(double bound, std::uint64_t work, path::Waypoints &path)
     {
         const std::uint64_t limit = evaluator_.work() + work;
         exhausted_ = false;
@@ -594,4 +594,4 @@ namespace ompl_mfa
         }
         return false;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::graph

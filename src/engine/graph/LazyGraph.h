@@ -46,7 +46,7 @@
 #include "path/PathEvaluator.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::graph
 {
     /** \brief A directed graph of states, whose states and motions are checked for collision only when a search comes
        to need them, and no motion twice.
@@ -64,7 +64,7 @@ namespace ompl_mfa
     class LazyGraph
     {
     public:
-        explicit LazyGraph(PathEvaluator &evaluator);
+        explicit LazyGraph(path::PathEvaluator &evaluator);
 
         /** \brief Removes all vertices and edges; memory is kept. */
         void clear();
@@ -124,7 +124,7 @@ namespace ompl_mfa
 
             Where a cycle makes a path better each time it is gone round, no path is the best: then the answer is the
             best of those that the search finds, and it still beats the bound. */
-        bool search(double bound, std::uint64_t work, Waypoints &path);
+        bool search(double bound, std::uint64_t work, path::Waypoints &path);
 
         /** \brief Whether the last search ended because no better path is left in the graph. */
         bool exhausted() const
@@ -230,10 +230,10 @@ namespace ompl_mfa
         bool screenEdge(const Edge &edge);
         Outcome confirm(Index goal, std::uint64_t limit);
         void reach(Index index, Index parent, double costToCome, double bound);
-        void extract(Waypoints &path) const;
+        void extract(path::Waypoints &path) const;
 
-        PathEvaluator &evaluator_;
-        Waypoints states_;
+        path::PathEvaluator &evaluator_;
+        path::Waypoints states_;
         std::vector<Vertex> vertices_;
         std::deque<Edge> edges_;  ///< a vector would copy itself for milliseconds when it grows
         std::vector<Validity> checks_;
@@ -252,6 +252,6 @@ namespace ompl_mfa
         std::uint64_t backwardWork_{0};
         std::uint64_t forwardWork_{0};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::graph
 
 #endif

@@ -47,7 +47,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -104,7 +104,7 @@ namespace ompl_mfa
             bool checkMotion(const ob::State *from, const ob::State *to) const override
             {
                 const bool valid = user_->getMotionValidator()->checkMotion(from, to);
-                *count_ += PathEvaluator::motionWork(*user_, {from, to}, valid);
+                *count_ += path::PathEvaluator::motionWork(*user_, {from, to}, valid);
                 return valid;
             }
 
@@ -112,7 +112,7 @@ namespace ompl_mfa
                              std::pair<ob::State *, double> &lastValid) const override
             {
                 const bool valid = user_->getMotionValidator()->checkMotion(from, to, lastValid);
-                *count_ += PathEvaluator::motionWork(*user_, {from, to}, valid);
+                *count_ += path::PathEvaluator::motionWork(*user_, {from, to}, valid);
                 return valid;
             }
 
@@ -165,12 +165,12 @@ namespace ompl_mfa
 
             bool isSatisfied(const ob::State *state, double *distance) const override
             {
-                return ompl_mfa::isSatisfied(*goal_, guard_, state, distance);
+                return ompl_mfa::engine::isSatisfied(*goal_, guard_, state, distance);
             }
 
         private:
             ob::GoalPtr goal_;
-            DubinsGuard guard_;
+            path::DubinsGuard guard_;
         };
     }  // namespace
 
@@ -248,7 +248,7 @@ namespace ompl_mfa
         taken_.reset();
     }
 
-    bool GuestPlannerPart::search(double /*bound*/, std::uint64_t work, Waypoints &path)
+    bool GuestPlannerPart::search(double /*bound*/, std::uint64_t work, path::Waypoints &path)
     {
         if (readiness() == Readiness::Idle)
             return false;
@@ -273,7 +273,7 @@ namespace ompl_mfa
         return found;
     }
 
-    bool GuestPlannerPart::takePath(Waypoints &path)
+    bool GuestPlannerPart::takePath(path::Waypoints &path)
     {
         if (!pdef_->hasExactSolution())
             return false;
@@ -290,7 +290,7 @@ namespace ompl_mfa
         return true;
     }
 
-    bool GuestPlannerPart::holds(const Waypoints &path)
+    bool GuestPlannerPart::holds(const path::Waypoints &path)
     {
         const Query &query = context().query;
         const auto &space = evaluator_.spaceInformation()->getStateSpace();
@@ -306,4 +306,4 @@ namespace ompl_mfa
         }
         return evaluator_.checkPath(path);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

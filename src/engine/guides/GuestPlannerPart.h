@@ -50,7 +50,7 @@
 #include "engine/guides/GuidePart.h"
 #include "path/PathEvaluator.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     /** \brief Any other planner as a guide: it goes on in each turn from where it stopped, on a problem definition of
        its own with the query's starts, goals and objective. One that returns before its turn is over has done what it
@@ -72,16 +72,16 @@ namespace ompl_mfa
         Readiness readiness() const override;
 
         /** \brief A path that does not hold, to the evaluator or as an answer to the query, is passed over. */
-        bool search(double bound, std::uint64_t work, Waypoints &path) override;
+        bool search(double bound, std::uint64_t work, path::Waypoints &path) override;
 
     private:
         void addEnds();
         ompl::base::PlannerStatus run(std::uint64_t work);
         void restart();
-        bool takePath(Waypoints &path);
-        bool holds(const Waypoints &path);
+        bool takePath(path::Waypoints &path);
+        bool holds(const path::Waypoints &path);
 
-        PathEvaluator &evaluator_;
+        path::PathEvaluator &evaluator_;
         std::shared_ptr<std::atomic<std::uint64_t>> checked_;  ///< states that the planner had checked in this turn
         std::mutex stopMutex_;  ///< held while a thread of the planner asks whether to stop
         ompl::base::SpaceInformationPtr si_;
@@ -95,6 +95,6 @@ namespace ompl_mfa
         std::size_t refusedStarts_{0};           ///< how many states there were when it refused the query
         std::size_t refusedGoals_{0};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides
 
 #endif

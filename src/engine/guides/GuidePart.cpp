@@ -38,12 +38,12 @@
 
 #include <utility>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     void GuidePart::advance(std::uint64_t work, Findings &findings)
     {
-        Waypoints path(context().chart->space());
+        path::Waypoints path(context().chart->space());
         if (search(context().incumbent.bound(), work, path))
             propose(std::move(path), findings);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

@@ -39,7 +39,7 @@
 
 #include "engine/SearchPart.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     /** \brief A part that finds paths of all homotopy classes, those included that fireflies on straight axes cannot
         express. */
@@ -54,8 +54,8 @@ namespace ompl_mfa
            then in \e path, from one of the query's starts to one of its goals with all motions checked; the next call
            goes on from there. \e bound is the cost that a path should beat in the end (infinite before there is one).
          */
-        virtual bool search(double bound, std::uint64_t work, Waypoints &path) = 0;
+        virtual bool search(double bound, std::uint64_t work, path::Waypoints &path) = 0;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides
 
 #endif

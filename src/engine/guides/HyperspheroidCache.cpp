@@ -39,7 +39,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -76,4 +76,4 @@ namespace ompl_mfa
                                                                           focus1.data(), focus2.data());
         return slot.hyperspheroid;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

@@ -44,7 +44,7 @@
 
 #include <ompl/util/ProlateHyperspheroid.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     /** \brief Prolate hyperspheroids of pairs of foci. To make one takes a singular value decomposition, d^3 operations
         in R^d, so that those of up to some thousand pairs are kept; their memory is bounded, by some megabytes. */
@@ -84,6 +84,6 @@ namespace ompl_mfa
         std::size_t size_{0};
         std::vector<Slot> slots_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides
 
 #endif

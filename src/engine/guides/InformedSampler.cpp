@@ -54,7 +54,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -64,13 +64,13 @@ namespace ompl_mfa
            true of OMPL's own spaces, unknown of a space that a user derived from them. */
         bool boundedByPositions(const ob::StateSpace &space)
         {
-            if (isExactly<ob::RealVectorStateSpace, ob::SO2StateSpace, ob::SO3StateSpace>(space))
+            if (path::isExactly<ob::RealVectorStateSpace, ob::SO2StateSpace, ob::SO3StateSpace>(space))
                 return true;
-            if (!isExactly<ob::CompoundStateSpace, ob::SE2StateSpace, ob::SE3StateSpace, ob::DubinsStateSpace,
-                           ob::ReedsSheppStateSpace>(space))
+            if (!path::isExactly<ob::CompoundStateSpace, ob::SE2StateSpace, ob::SE3StateSpace, ob::DubinsStateSpace,
+                                 ob::ReedsSheppStateSpace>(space))
                 return false;
             const auto &compound = *space.as<ob::CompoundStateSpace>();
-            const bool curved = isExactly<ob::DubinsStateSpace, ob::ReedsSheppStateSpace>(space);
+            const bool curved = path::isExactly<ob::DubinsStateSpace, ob::ReedsSheppStateSpace>(space);
             for (unsigned int i = 0; i < compound.getSubspaceCount(); ++i)
             {
                 const double weight = compound.getSubspaceWeight(i);
@@ -100,7 +100,7 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    InformedSampler::InformedSampler(StateChartPtr chart, const CostBounds &bounds, std::uint_fast32_t seed)
+    InformedSampler::InformedSampler(path::StateChartPtr chart, const path::CostBounds &bounds, std::uint_fast32_t seed)
       : chart_(std::move(chart))
       , bounds_(bounds)
       , rng_(seed)
@@ -117,7 +117,7 @@ namespace ompl_mfa
     }
 
     /* Ends that were given up with a bound are taken up again with a worse one. */
-    void InformedSampler::takeUpEnds(const Waypoints &starts, const Waypoints &goals, double bound)
+    void InformedSampler::takeUpEnds(const path::Waypoints &starts, const path::Waypoints &goals, double bound)
     {
         pairs_.update(starts, goals);
         const bool falling =
@@ -158,8 +158,9 @@ namespace ompl_mfa
                    goals_, [&](std::uint32_t j) { return pairs_.goalCanBeat(j, bound); }, goal);
     }
 
-    bool InformedSampler::samplePositions(const Waypoints &starts, std::uint32_t start, const Waypoints &goals,
-                                          std::uint32_t goal, double bound, ob::State *state)
+    bool InformedSampler::samplePositions(const path::Waypoints &starts, std::uint32_t start,
+                                          const path::Waypoints &goals, std::uint32_t goal, double bound,
+                                          ob::State *state)
     {
         chart_->positions(starts[start], focus1_);
         chart_->positions(goals[goal], focus2_);
@@ -182,7 +183,8 @@ namespace ompl_mfa
         chart_->space()->enforceBounds(state);
     }
 
-    bool InformedSampler::sample(const Waypoints &starts, const Waypoints &goals, double bound, ob::State *state)
+    bool InformedSampler::sample(const path::Waypoints &starts, const path::Waypoints &goals, double bound,
+                                 ob::State *state)
     {
         const bool byUser = users_ && usersTurn_;
         usersTurn_ = !usersTurn_;
@@ -214,4 +216,4 @@ namespace ompl_mfa
         }
         return false;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

@@ -49,7 +49,7 @@
 #include "path/StateChart.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     /** \brief Draws states through which a path better than a given cost can lead, as far as the bounds tell (the
         informed set).
@@ -68,12 +68,13 @@ namespace ompl_mfa
     {
     public:
         /** \brief \e bounds outlives the object. */
-        InformedSampler(StateChartPtr chart, const CostBounds &bounds, std::uint_fast32_t seed);
+        InformedSampler(path::StateChartPtr chart, const path::CostBounds &bounds, std::uint_fast32_t seed);
 
         /** \brief Draws \e state such that the heuristic cost through it, from one of \e starts to one of \e goals, is
             better than \e bound (infinite: any state). False if no such state was found in a few tries. States may
             only be appended to \e starts and \e goals from one call to the next. */
-        bool sample(const Waypoints &starts, const Waypoints &goals, double bound, ompl::base::State *state);
+        bool sample(const path::Waypoints &starts, const path::Waypoints &goals, double bound,
+                    ompl::base::State *state);
 
         /** \brief What a path through the state drawn last costs at the least; no number where it was not asked. */
         double lowerBound() const
@@ -88,14 +89,14 @@ namespace ompl_mfa
         }
 
     private:
-        void takeUpEnds(const Waypoints &starts, const Waypoints &goals, double bound);
+        void takeUpEnds(const path::Waypoints &starts, const path::Waypoints &goals, double bound);
         bool pickPair(double bound, std::uint32_t &start, std::uint32_t &goal);
-        bool samplePositions(const Waypoints &starts, std::uint32_t start, const Waypoints &goals, std::uint32_t goal,
-                             double bound, ompl::base::State *state);
+        bool samplePositions(const path::Waypoints &starts, std::uint32_t start, const path::Waypoints &goals,
+                             std::uint32_t goal, double bound, ompl::base::State *state);
         void sampleByUser(ompl::base::State *state);
 
-        StateChartPtr chart_;
-        const CostBounds &bounds_;
+        path::StateChartPtr chart_;
+        const path::CostBounds &bounds_;
         ompl::RNG rng_;
         ompl::base::StateSamplerPtr users_;  ///< null where the user has set none
         bool usersTurn_{false};
@@ -112,6 +113,6 @@ namespace ompl_mfa
         Eigen::VectorXd values_;
         HyperspheroidCache hyperspheroids_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides
 
 #endif

@@ -49,7 +49,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -173,7 +173,7 @@ namespace ompl_mfa
         if (!found_)
             return evaluator_.withSlack(bound, SLACK);
         // what beats a path of infinite cost is what beats the worst of all finite ones
-        const double best = objective.isFinite(ob::Cost(best_)) ? best_ : worstFiniteCost(objective);
+        const double best = objective.isFinite(ob::Cost(best_)) ? best_ : path::worstFiniteCost(objective);
         const double slack = evaluator_.withSlack(bound, SLACK);
         return !std::isinf(bound) && objective.isCostBetterThan(ob::Cost(slack), ob::Cost(best)) ? slack : best;
     }
@@ -183,7 +183,7 @@ namespace ompl_mfa
     bool RoadmapPart::isUseful(std::size_t vertex, double bound)
     {
         const Query &query = context().query;
-        const CostBounds &bounds = evaluator_.bounds();
+        const path::CostBounds &bounds = evaluator_.bounds();
         const ob::OptimizationObjective &objective = *evaluator_.objective();
         Promise &promise = promises_[vertex];
         if (!std::isnan(promise.lowerBound) && bounds.canBeat(promise.lowerBound, bound))
@@ -288,7 +288,7 @@ namespace ompl_mfa
         return early ? Readiness::Waiting : Readiness::Ready;
     }
 
-    bool RoadmapPart::search(double bound, std::uint64_t work, Waypoints &path)
+    bool RoadmapPart::search(double bound, std::uint64_t work, path::Waypoints &path)
     {
         if (!context().hasEnds())
             return false;
@@ -323,4 +323,4 @@ namespace ompl_mfa
         for (const std::size_t goal : graph_.goals())
             graph.goals.push_back(first + goal);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

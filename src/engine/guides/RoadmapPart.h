@@ -50,7 +50,7 @@
 #include "path/PathEvaluator.h"
 #include "path/StateChart.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     /** \brief A roadmap that grows within the informed set, batch by batch, and is searched lazily after each batch.
         Every state is joined to its k nearest, k growing with the logarithm of their number as PRM* has it.
@@ -77,7 +77,7 @@ namespace ompl_mfa
         Share firstShare() const override;
         Share improvementShare(double seconds) const override;
         Readiness readiness() const override;
-        bool search(double bound, std::uint64_t work, Waypoints &path) override;
+        bool search(double bound, std::uint64_t work, path::Waypoints &path) override;
 
         /** \brief The roadmap as it is: all its states, and the motions that searches needed and found valid. */
         void explain(SearchGraph &graph) const override;
@@ -106,10 +106,10 @@ namespace ompl_mfa
         void renew();
 
         bool afterTrees_;
-        StateChartPtr chart_;
-        PathEvaluator &evaluator_;
+        path::StateChartPtr chart_;
+        path::PathEvaluator &evaluator_;
         InformedSampler sampler_;
-        LazyGraph graph_;
+        graph::LazyGraph graph_;
         std::vector<Promise> promises_;  ///< of each vertex
         std::shared_ptr<ompl::NearestNeighbors<std::size_t>> nearest_;
         std::size_t indexed_{0};  ///< vertices in nearest_
@@ -127,6 +127,6 @@ namespace ompl_mfa
         double pruned_;           ///< bound with which the graph was last pruned
         ompl::base::State *sample_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides
 
 #endif

@@ -46,7 +46,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -179,7 +179,7 @@ namespace ompl_mfa
         return reach ? Extension::Reached : Extension::Advanced;
     }
 
-    void TreePart::join(const Vertex *fromStart, const Vertex *fromGoal, Waypoints &path) const
+    void TreePart::join(const Vertex *fromStart, const Vertex *fromGoal, path::Waypoints &path) const
     {
         path.clear();
         for (; fromStart != nullptr; fromStart = fromStart->parent)
@@ -190,7 +190,7 @@ namespace ompl_mfa
             path.append(fromGoal->state);
     }
 
-    bool TreePart::iterate(double bound, Waypoints &path)
+    bool TreePart::iterate(double bound, path::Waypoints &path)
     {
         const Query &query = context().query;
         const bool fromStart = startsTurn_;
@@ -231,7 +231,7 @@ namespace ompl_mfa
         return context().hasEnds() ? Readiness::Ready : Readiness::Idle;
     }
 
-    bool TreePart::search(double bound, std::uint64_t work, Waypoints &path)
+    bool TreePart::search(double bound, std::uint64_t work, path::Waypoints &path)
     {
         if (!context().hasEnds())
             return false;
@@ -272,4 +272,4 @@ namespace ompl_mfa
         if (metFromStart_ != nullptr && metFromGoal_->parent != nullptr)
             graph.edges.emplace_back(firstOfStart + metFromStart_->number, firstOfGoal + metFromGoal_->parent->number);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

@@ -48,7 +48,7 @@
 #include "path/PathEvaluator.h"
 #include "path/StateChart.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     /** \brief Two trees, from the starts and from the goals, that grow toward each other (RRT-Connect); once they met,
         they restart within the informed set, so that other homotopy classes get their chance. Starts and goals that
@@ -68,7 +68,7 @@ namespace ompl_mfa
         Share firstShare() const override;
         Share improvementShare(double seconds) const override;
         Readiness readiness() const override;
-        bool search(double bound, std::uint64_t work, Waypoints &path) override;
+        bool search(double bound, std::uint64_t work, path::Waypoints &path) override;
 
         /** \brief Both trees; once they have met, until the next turn, with the motion that joins them. */
         void explain(SearchGraph &graph) const override;
@@ -101,11 +101,11 @@ namespace ompl_mfa
         void addRoots(double bound);
         Vertex *nearest(Tree &tree, const ompl::base::State *state, bool fromStart);
         Extension extend(Tree &tree, bool fromStart, const ompl::base::State *target, Vertex *&added);
-        bool iterate(double bound, Waypoints &path);
-        void join(const Vertex *fromStart, const Vertex *fromGoal, Waypoints &path) const;
+        bool iterate(double bound, path::Waypoints &path);
+        void join(const Vertex *fromStart, const Vertex *fromGoal, path::Waypoints &path) const;
 
-        StateChartPtr chart_;
-        PathEvaluator &evaluator_;
+        path::StateChartPtr chart_;
+        path::PathEvaluator &evaluator_;
         InformedSampler sampler_;
         Tree startTree_;
         Tree goalTree_;
@@ -117,6 +117,6 @@ namespace ompl_mfa
         ompl::base::State *step_;
         Vertex probe_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides
 
 #endif

@@ -42,7 +42,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -70,7 +70,7 @@ namespace ompl_mfa
         constexpr unsigned int COST_TRIES = 4;
     }  // namespace
 
-    PathTightening::PathTightening(StateChartPtr chart, PathEvaluator &evaluator, std::uint_fast32_t seed)
+    PathTightening::PathTightening(path::StateChartPtr chart, path::PathEvaluator &evaluator, std::uint_fast32_t seed)
       : chart_(std::move(chart))
       , evaluator_(evaluator)
       , rng_(seed)
@@ -90,7 +90,7 @@ namespace ompl_mfa
         chart_->space()->freeState(beyond_);
     }
 
-    void PathTightening::begin(const Waypoints &path)
+    void PathTightening::begin(const path::Waypoints &path)
     {
         path_ = path;
         costs_.clear();
@@ -618,4 +618,4 @@ namespace ompl_mfa
         }
         return false;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::refinement

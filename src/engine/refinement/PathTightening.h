@@ -51,7 +51,7 @@
 #include "path/StateChart.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::refinement
 {
     /** \brief Local refinement of a valid path, for any objective: shortcuts, removal of vertices, pulling a vertex
        toward the chord of its neighbours, random steps of a vertex, cutting of corners.
@@ -63,19 +63,19 @@ namespace ompl_mfa
     {
     public:
         /** \brief \e evaluator outlives the object. */
-        PathTightening(StateChartPtr chart, PathEvaluator &evaluator, std::uint_fast32_t seed);
+        PathTightening(path::StateChartPtr chart, path::PathEvaluator &evaluator, std::uint_fast32_t seed);
         ~PathTightening();
         PathTightening(const PathTightening &) = delete;
         PathTightening &operator=(const PathTightening &) = delete;
 
         /** \brief Takes up a copy of \e path, whose motions are all valid. */
-        void begin(const Waypoints &path);
+        void begin(const path::Waypoints &path);
 
         /** \brief Refines for about \e work units of PathEvaluator::work(), or until interrupted, or until there is
             nothing to refine: one motion of finite cost. Returns whether the path's cost is better than before. */
         bool advance(std::uint64_t work);
 
-        const Waypoints &path() const
+        const path::Waypoints &path() const
         {
             return path_;
         }
@@ -159,10 +159,10 @@ namespace ompl_mfa
                           ompl::base::Cost after);
         void eraseVertices(std::size_t first, std::size_t last, ompl::base::Cost joined);
 
-        StateChartPtr chart_;
-        PathEvaluator &evaluator_;
+        path::StateChartPtr chart_;
+        path::PathEvaluator &evaluator_;
         ompl::RNG rng_;
-        Waypoints path_;
+        path::Waypoints path_;
         std::vector<ompl::base::Cost> costs_;  ///< of the motions of path_, as many as were computed yet
         double total_{0.0};                    ///< cost of path_ in a round
         std::array<Payoff, STEP_KINDS> payoffs_{};
@@ -176,6 +176,6 @@ namespace ompl_mfa
         bool converged_{true};
         unsigned int idleRounds_{0};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::refinement
 
 #endif

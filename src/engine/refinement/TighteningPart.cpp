@@ -41,7 +41,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -97,9 +97,9 @@ namespace ompl_mfa
             std::swap(best_, new_);
     }
 
-    const Waypoints &TighteningPart::refine(const Waypoints &path, ob::Cost &cost, ob::Cost rival)
+    const path::Waypoints &TighteningPart::refine(const path::Waypoints &path, ob::Cost &cost, ob::Cost rival)
     {
-        PathEvaluator &evaluator = context().evaluator();
+        path::PathEvaluator &evaluator = context().evaluator();
         const ob::OptimizationObjective &objective = context().objective();
         std::uint64_t check = path.size();
         for (std::size_t i = 1; i < path.size(); ++i)
@@ -120,4 +120,4 @@ namespace ompl_mfa
         }
         return new_->path();
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::refinement

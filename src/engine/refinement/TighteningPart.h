@@ -42,7 +42,7 @@
 #include "engine/SearchPart.h"
 #include "engine/refinement/PathTightening.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::refinement
 {
     /** \brief Tightens the best path in its turns, and at once what other parts propose. */
     class TighteningPart : public SearchPart, public PathRefiner
@@ -59,7 +59,8 @@ namespace ompl_mfa
             beginning. */
         void improved(const Proposal &proposal) override;
 
-        const Waypoints &refine(const Waypoints &path, ompl::base::Cost &cost, ompl::base::Cost rival) override;
+        const path::Waypoints &refine(const path::Waypoints &path, ompl::base::Cost &cost,
+                                      ompl::base::Cost rival) override;
 
     private:
         std::unique_ptr<PathTightening> best_;  ///< of the best path
@@ -67,6 +68,6 @@ namespace ompl_mfa
         bool refined_{false};                   ///< whether what was tightened last is new_'s
         bool stale_{false};                     ///< whether best_ has to begin with the best path
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::refinement
 
 #endif

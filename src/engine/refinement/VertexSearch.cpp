@@ -41,7 +41,7 @@
 
 #include <Eigen/LU>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -108,4 +108,4 @@ namespace ompl_mfa
         if (norm > 1e-12)
             factor_ -= shrinking / norm * constraintPath_ * w.transpose();
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::refinement

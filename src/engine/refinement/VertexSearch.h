@@ -41,7 +41,7 @@
 
 #include <ompl/util/RandomNumbers.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::refinement
 {
     /** \brief Random steps of one vertex of a path whose distribution learns from what became of them: a (1+1)-CMA-ES
         that shrinks its steps across the constraints it runs into.
@@ -82,6 +82,6 @@ namespace ompl_mfa
         Eigen::VectorXd evolutionPath_;   ///< s
         Eigen::VectorXd constraintPath_;  ///< v
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::refinement
 
 #endif

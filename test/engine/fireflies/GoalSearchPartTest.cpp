@@ -47,7 +47,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -137,4 +137,4 @@ namespace ompl_mfa
             EXPECT_EQ(problem_->counted.states, 0U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

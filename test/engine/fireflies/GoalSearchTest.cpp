@@ -52,7 +52,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -75,8 +75,8 @@ namespace ompl_mfa
             sampler->sampleUniform(origin.get());
             sampler->sampleUniform(target.get());
             const auto goal = std::make_shared<test::DistanceGoal>(si, target.get(), 0.15 * space->getMaximumExtent());
-            GoalSearch search(std::make_shared<const StateChart>(space), si, goal, origin.get(), 5);
-            Waypoints found(space);
+            GoalSearch search(std::make_shared<const path::StateChart>(space), si, goal, origin.get(), 5);
+            path::Waypoints found(space);
             const ob::PlannerTerminationCondition never([] { return false; });
             for (int i = 0; i < 2000 && found.size() < 3; ++i)
                 search.advance(never, found);
@@ -101,8 +101,8 @@ namespace ompl_mfa
             origin[0] = origin[1] = -5.0;
             target[0] = target[1] = 5.0;
             const auto goal = std::make_shared<test::DistanceGoal>(si, target.get(), 1.0);
-            GoalSearch search(std::make_shared<const StateChart>(space), si, goal, origin.get(), 5);
-            Waypoints found(space);
+            GoalSearch search(std::make_shared<const path::StateChart>(space), si, goal, origin.get(), 5);
+            path::Waypoints found(space);
             const ob::PlannerTerminationCondition never([] { return false; });
             for (int i = 0; i < 2000 && found.empty(); ++i)
                 search.advance(never, found);
@@ -144,8 +144,8 @@ namespace ompl_mfa
                  {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
             {
                 const auto goal = std::make_shared<LostGoal>(si, target.get(), unknown);
-                GoalSearch search(std::make_shared<const StateChart>(space), si, goal, origin.get(), 5);
-                Waypoints found(space);
+                GoalSearch search(std::make_shared<const path::StateChart>(space), si, goal, origin.get(), 5);
+                path::Waypoints found(space);
                 const ob::PlannerTerminationCondition never([] { return false; });
                 for (int i = 0; i < 500 && found.empty(); ++i)
                     search.advance(never, found);
@@ -183,8 +183,8 @@ namespace ompl_mfa
             for (const std::uint64_t seed : {5U, 6U, 12U})
             {
                 const auto goal = std::make_shared<NeverSatisfied>(si);
-                GoalSearch search(std::make_shared<const StateChart>(space), si, goal, origin.get(), seed);
-                Waypoints found(space);
+                GoalSearch search(std::make_shared<const path::StateChart>(space), si, goal, origin.get(), seed);
+                path::Waypoints found(space);
                 for (int swarm = 0; swarm < 3; ++swarm)
                 {
                     goal->asked.clear();
@@ -213,10 +213,10 @@ namespace ompl_mfa
             ob::ScopedState<> origin(space);
             origin[0] = origin[1] = -5.0;
             const auto goal = std::make_shared<test::DistanceGoal>(si, origin.get(), 100.0);
-            GoalSearch search(std::make_shared<const StateChart>(space), si, goal, origin.get(), 5);
-            Waypoints found(space);
+            GoalSearch search(std::make_shared<const path::StateChart>(space), si, goal, origin.get(), 5);
+            path::Waypoints found(space);
             EXPECT_FALSE(search.advance(ob::PlannerTerminationCondition([] { return true; }), found));
             EXPECT_EQ(asked, 0);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -48,7 +48,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -100,7 +100,7 @@ namespace ompl_mfa
 
             const unsigned int n_ = GetParam();
             ob::StateSpacePtr space_ = test::realVectorSpace(n_);
-            StateChartPtr chart_ = std::make_shared<const StateChart>(space_);
+            path::StateChartPtr chart_ = std::make_shared<const path::StateChart>(space_);
             ob::ScopedState<> startState_{space_};
             ob::ScopedState<> goalState_{space_};
             Eigen::VectorXd start_;
@@ -167,7 +167,7 @@ namespace ompl_mfa
         TEST_P(SliceFrameInRn, CoordinatesRoundTrip)
         {
             const SliceFrame f = frame(9);
-            Waypoints path(space_);
+            path::Waypoints path(space_);
             for (int repeat = 0; repeat < 20; ++repeat)
             {
                 const Eigen::VectorXd x = randomUnit(rng_, f.dimension());
@@ -206,7 +206,7 @@ namespace ompl_mfa
         {
         protected:
             ob::StateSpacePtr space_ = GetParam().make();
-            StateChartPtr chart_ = std::make_shared<const StateChart>(space_);
+            path::StateChartPtr chart_ = std::make_shared<const path::StateChart>(space_);
             Eigen::VectorXd scratch_;
             ompl::RNG rng_{23};
         };
@@ -219,7 +219,7 @@ namespace ompl_mfa
             const auto sampler = space_->allocDefaultStateSampler();
             ob::ScopedState<> start(space_);
             ob::ScopedState<> goal(space_);
-            Waypoints path(space_);
+            path::Waypoints path(space_);
             for (int repeat = 0; repeat < 40; ++repeat)
             {
                 sampler->sampleUniform(start.get());
@@ -240,7 +240,7 @@ namespace ompl_mfa
             ob::ScopedState<> center(space_);
             ob::ScopedState<> start(space_);
             ob::ScopedState<> goal(space_);
-            Waypoints path(space_);
+            path::Waypoints path(space_);
             Eigen::VectorXd zero = Eigen::VectorXd::Zero(chart_->positionDimension());
             for (int repeat = 0; repeat < 40; ++repeat)
             {
@@ -282,7 +282,7 @@ namespace ompl_mfa
         {
             ob::ScopedState<> state(space_);
             const auto sampler = space_->allocDefaultStateSampler();
-            Waypoints path(space_);
+            path::Waypoints path(space_);
             for (int repeat = 0; repeat < 20; ++repeat)
             {
                 sampler->sampleUniform(state.get());
@@ -301,7 +301,8 @@ namespace ompl_mfa
             ob::ScopedState<> to(space);
             from = start;
             to = goal;
-            return SliceFrame::straight(std::make_shared<const StateChart>(space), from.get(), to.get(), segments);
+            return SliceFrame::straight(std::make_shared<const path::StateChart>(space), from.get(), to.get(),
+                                        segments);
         }
 
         TEST(SliceFrame, APureRotationLeavesAllPositionsFree)
@@ -338,7 +339,7 @@ namespace ompl_mfa
         {
             Eigen::VectorXd scratch;
             const auto space = test::se3Space();
-            const auto chart = std::make_shared<const StateChart>(space);
+            const auto chart = std::make_shared<const path::StateChart>(space);
             ob::ScopedState<ob::SE3StateSpace> start(space);
             ob::ScopedState<ob::SE3StateSpace> goal(space);
             start->setXYZ(-1.0, 0.0, 0.0);
@@ -390,7 +391,7 @@ namespace ompl_mfa
         {
             Eigen::VectorXd scratch;
             const auto space = test::realVectorSpace(2);
-            Waypoints axis(space);
+            path::Waypoints axis(space);
             ob::ScopedState<> state(space);
             for (const auto &[px, py] : std::vector<std::pair<double, double>>{{0, 0}, {4, 0}, {4, 4}})
             {
@@ -398,7 +399,7 @@ namespace ompl_mfa
                 state[1] = py;
                 axis.append(state.get());
             }
-            const SliceFrame f(std::make_shared<const StateChart>(space), axis);
+            const SliceFrame f(std::make_shared<const path::StateChart>(space), axis);
             ASSERT_EQ(f.dimension(), 1);
             f.toState(0, Eigen::VectorXd::Constant(1, std::sqrt(2.0)), state.get(), scratch);
             // at the corner the slice halves the angle: it runs along (1, -1)
@@ -409,16 +410,16 @@ namespace ompl_mfa
         TEST(SliceFrame, RefusesAnAxisOfOneState)
         {
             const auto space = test::realVectorSpace(2);
-            Waypoints axis(space);
+            path::Waypoints axis(space);
             axis.resize(1);
-            EXPECT_THROW(SliceFrame(std::make_shared<const StateChart>(space), axis), std::invalid_argument);
+            EXPECT_THROW(SliceFrame(std::make_shared<const path::StateChart>(space), axis), std::invalid_argument);
         }
 
         TEST(SliceFrame, LaysAPathAcrossItsSlices)
         {
             const auto space = test::realVectorSpace(2);
             const SliceFrame f = straightFrame(space, {0.0, 0.0}, {8.0, 0.0}, 4);
-            Waypoints zigzag(space);
+            path::Waypoints zigzag(space);
             ob::ScopedState<> state(space);
             for (const auto &[px, py] : std::vector<std::pair<double, double>>{{0, 0}, {3, 3}, {5, -1}, {8, 0}})
             {
@@ -426,7 +427,7 @@ namespace ompl_mfa
                 state[1] = py;
                 zigzag.append(state.get());
             }
-            Waypoints onSlices(space);
+            path::Waypoints onSlices(space);
             ASSERT_TRUE(f.crossings(zigzag, onSlices));
             ASSERT_EQ(onSlices.size(), 5U);
             // where the polyline passes x = 2, 4, 6
@@ -444,8 +445,8 @@ namespace ompl_mfa
         {
             const auto space = test::se2Space();
             const SliceFrame f = straightFrame(space, {1.0, 2.0, -1.0}, {1.0, 2.0, 1.5}, 3);
-            Waypoints onSlices(space);
+            path::Waypoints onSlices(space);
             EXPECT_FALSE(f.crossings(f.axis(), onSlices));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -51,7 +51,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -73,7 +73,7 @@ namespace ompl_mfa
                         x[k] = rng.uniformReal(-0.5, 0.5);
                     coordinates_.push_back(x);
                     Eigen::VectorXd scratch;
-                    Waypoints path(space_);
+                    path::Waypoints path(space_);
                     frame_.toWaypoints(x, path, scratch);
                     paths_.push_back(path);
                 }
@@ -87,10 +87,11 @@ namespace ompl_mfa
                 start->rotation().setIdentity();
                 goal->setXYZ(4.0, 2.0, -1.0);
                 goal->rotation().setAxisAngle(0.0, 0.0, 1.0, 1.0);
-                return SliceFrame::straight(std::make_shared<const StateChart>(space_), start.get(), goal.get(), 9);
+                return SliceFrame::straight(std::make_shared<const path::StateChart>(space_), start.get(), goal.get(),
+                                            9);
             }
 
-            bool samePath(const Waypoints &a, const Waypoints &b) const
+            bool samePath(const path::Waypoints &a, const path::Waypoints &b) const
             {
                 bool same = a.size() == b.size();
                 for (std::size_t i = 0; same && i < a.size(); ++i)
@@ -124,7 +125,7 @@ namespace ompl_mfa
             SliceFrame frame_;
             SliceModes modes_;
             std::vector<Eigen::VectorXd> coordinates_;
-            std::vector<Waypoints> paths_;
+            std::vector<path::Waypoints> paths_;
         };
 
         TEST_F(SliceFrameThreads, WaypointsAreThoseOfTheirCoordinates)
@@ -133,7 +134,7 @@ namespace ompl_mfa
                           [this](unsigned int i)
                           {
                               Eigen::VectorXd scratch;
-                              Waypoints path(space_);
+                              path::Waypoints path(space_);
                               frame_.toWaypoints(coordinates_[i], path, scratch);
                               return samePath(path, paths_[i]);
                           }),
@@ -154,13 +155,13 @@ namespace ompl_mfa
 
         TEST_F(SliceFrameThreads, CrossingsAreThoseOfTheirPath)
         {
-            std::vector<Waypoints> alone(THREADS, Waypoints(space_));
+            std::vector<path::Waypoints> alone(THREADS, path::Waypoints(space_));
             for (unsigned int i = 0; i < THREADS; ++i)
                 ASSERT_TRUE(frame_.crossings(paths_[i], alone[i]));
             EXPECT_EQ(differences(
                           [&](unsigned int i)
                           {
-                              Waypoints onSlices(space_);
+                              path::Waypoints onSlices(space_);
                               return frame_.crossings(paths_[i], onSlices) && samePath(onSlices, alone[i]);
                           }),
                       0U);
@@ -181,4 +182,4 @@ namespace ompl_mfa
                       0U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -50,7 +50,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -91,8 +91,8 @@ namespace ompl_mfa
 
             bool search(const ob::OptimizationObjectivePtr &objective, double bound)
             {
-                evaluator_ = std::make_unique<PathEvaluator>(problem_.si, objective);
-                Waypoints known(space_);
+                evaluator_ = std::make_unique<path::PathEvaluator>(problem_.si, objective);
+                path::Waypoints known(space_);
                 for (const auto &[x, y] : std::vector<std::pair<double, double>>{
                          {-8.0, 0.0}, {-4.0, 3.0}, {0.0, 3.0}, {4.0, 3.0}, {8.0, 0.0}})
                     known.append(state(x, y).get());
@@ -111,10 +111,10 @@ namespace ompl_mfa
             // a wall across the straight way
             test::CountingProblem problem_{
                 space_, [](const ob::State *s) { return std::abs(coordinate(s, 0)) > 1.0 || coordinate(s, 1) > 1.0; }};
-            SliceFrame frame_ = SliceFrame::straight(std::make_shared<const StateChart>(space_), state(-8.0, 0.0).get(),
-                                                     state(8.0, 0.0).get(), 4);
-            std::unique_ptr<PathEvaluator> evaluator_;
-            Waypoints path_{space_};
+            SliceFrame frame_ = SliceFrame::straight(std::make_shared<const path::StateChart>(space_),
+                                                     state(-8.0, 0.0).get(), state(8.0, 0.0).get(), 4);
+            std::unique_ptr<path::PathEvaluator> evaluator_;
+            path::Waypoints path_{space_};
         };
 
         TEST_F(SliceGraphTest, FindsTheShortestValidWayThroughTheCandidates)
@@ -139,4 +139,4 @@ namespace ompl_mfa
             EXPECT_NEAR(evaluator_->cost(path_).value(), best, 1e-9);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -49,7 +49,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -61,7 +61,8 @@ namespace ompl_mfa
             ob::ScopedState<> goal(space);
             start = std::vector<double>{-8.0, 0.0, 0.0};
             goal = std::vector<double>{8.0, 0.0, 0.0};
-            return SliceFrame::straight(std::make_shared<const StateChart>(space), start.get(), goal.get(), segments);
+            return SliceFrame::straight(std::make_shared<const path::StateChart>(space), start.get(), goal.get(),
+                                        segments);
         }
 
         TEST(SliceModesTest, TheFirstModeIsHalfASineWave)
@@ -141,4 +142,4 @@ namespace ompl_mfa
             EXPECT_FALSE(SliceModes::exist(cubeFrame(1)));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

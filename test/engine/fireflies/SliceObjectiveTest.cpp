@@ -51,7 +51,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -71,7 +71,8 @@ namespace ompl_mfa
                 start[0] = -4.0;
                 goal[0] = 4.0;
                 start[1] = goal[1] = 0.0;
-                return SliceFrame::straight(std::make_shared<const StateChart>(space_), start.get(), goal.get(), 2);
+                return SliceFrame::straight(std::make_shared<const path::StateChart>(space_), start.get(), goal.get(),
+                                            2);
             }
 
             static bool isValid(const ob::State *state)
@@ -87,11 +88,12 @@ namespace ompl_mfa
 
             ob::StateSpacePtr space_ = test::realVectorSpace(2);
             test::CountingProblem problem_{space_, isValid};
-            PathEvaluator evaluator_{problem_.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
+            path::PathEvaluator evaluator_{problem_.si,
+                                           std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
             SliceFrame frame_;
             std::vector<double> valid_;
             SliceObjective objective_{frame_, nullptr, evaluator_,
-                                      [this](const Waypoints &path, const Brightness &brightness)
+                                      [this](const path::Waypoints &path, const Brightness &brightness)
                                       {
                                           EXPECT_EQ(path.size(), 3U);
                                           valid_.push_back(brightness.cost);
@@ -185,8 +187,8 @@ namespace ompl_mfa
         TEST_F(SliceObjectiveTest, TheCostOfACandidateIsComputedOnce)
         {
             const auto counted = std::make_shared<Lethal>(problem_.si);
-            PathEvaluator evaluator(problem_.si, counted);
-            SliceObjective objective(frame_, nullptr, evaluator, [](const Waypoints &, const Brightness &) {});
+            path::PathEvaluator evaluator(problem_.si, counted);
+            SliceObjective objective(frame_, nullptr, evaluator, [](const path::Waypoints &, const Brightness &) {});
             for (const double bound : {std::numeric_limits<double>::infinity(), 9.5, 8.5})
             {
                 objective.setBound(bound);
@@ -200,8 +202,8 @@ namespace ompl_mfa
         {
             const auto lethal = std::make_shared<Lethal>(problem_.si);
             lethal->lethal = true;
-            PathEvaluator evaluator(problem_.si, lethal);
-            SliceObjective objective(frame_, nullptr, evaluator, [](const Waypoints &, const Brightness &) {});
+            path::PathEvaluator evaluator(problem_.si, lethal);
+            SliceObjective objective(frame_, nullptr, evaluator, [](const path::Waypoints &, const Brightness &) {});
             const double inf = std::numeric_limits<double>::infinity();
             for (const double bound : {inf, std::numeric_limits<double>::max(), 9.5})
             {
@@ -228,8 +230,8 @@ namespace ompl_mfa
                 SliceFrame::straight(frame_.chart(), frame_.axis().front(), frame_.axis().back(), 1001);
             const SliceModes modes(many);
             const auto counted = std::make_shared<Lethal>(problem_.si);
-            PathEvaluator evaluator(problem_.si, counted);
-            SliceObjective objective(many, &modes, evaluator, [](const Waypoints &, const Brightness &) {});
+            path::PathEvaluator evaluator(problem_.si, counted);
+            SliceObjective objective(many, &modes, evaluator, [](const path::Waypoints &, const Brightness &) {});
             const Eigen::VectorXd straight = Eigen::VectorXd::Zero(many.dimension());
             int beforeTheFirstCost = 0;
             evaluator.setStopCondition(
@@ -250,7 +252,8 @@ namespace ompl_mfa
         TEST_F(SliceObjectiveTest, OrdersBrightnessAsTheObjectiveDoes)
         {
             EXPECT_TRUE(objective_.isBrighter({0.0, 1.0}, {0.0, 2.0}));
-            PathEvaluator clearance(problem_.si, std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si));
+            path::PathEvaluator clearance(problem_.si,
+                                          std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si));
             SliceObjective wide(frame_, nullptr, clearance, {});
             EXPECT_TRUE(wide.isBrighter({0.0, 2.0}, {0.0, 1.0}));
             // where more is better, the lowest number is what all but the worst are better than
@@ -261,4 +264,4 @@ namespace ompl_mfa
             EXPECT_FALSE(wide.isBrighter({0.0, worst}, {0.0, worst}));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

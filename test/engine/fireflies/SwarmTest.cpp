@@ -51,7 +51,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -66,7 +66,7 @@ namespace ompl_mfa
 
             SliceFrame frame() const
             {
-                return SliceFrame::straight(std::make_shared<const StateChart>(problem_->si->getStateSpace()),
+                return SliceFrame::straight(std::make_shared<const path::StateChart>(problem_->si->getStateSpace()),
                                             problem_->state({1.0, 1.0}).get(), problem_->state({9.0, 1.0}).get(), 4);
             }
 
@@ -77,7 +77,7 @@ namespace ompl_mfa
                         evaluator_,
                         settings_,
                         seed,
-                        [this](const Waypoints &, const Brightness &brightness) { costs_.push_back(brightness.cost); }};
+                        [this](const path::Waypoints &, const Brightness &brightness) { costs_.push_back(brightness.cost); }};
             }
 
             static bool never()
@@ -86,7 +86,8 @@ namespace ompl_mfa
             }
 
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
-            PathEvaluator evaluator_{problem_->si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_->si)};
+            path::PathEvaluator evaluator_{problem_->si,
+                                           std::make_shared<ob::PathLengthOptimizationObjective>(problem_->si)};
             FireflyOptimizer::Settings settings_;
             std::vector<double> costs_;
         };
@@ -120,7 +121,7 @@ namespace ompl_mfa
         TEST_F(SwarmTest, AnInjectedPathIsEvaluated)
         {
             // over the wall at its corners, as short as slices at x = 3, 5, 7 allow
-            Waypoints path(problem_->si->getStateSpace());
+            path::Waypoints path(problem_->si->getStateSpace());
             for (const auto &[x, y] :
                  std::vector<std::pair<double, double>>{{1, 1}, {3, 4.3}, {5, 7.6}, {7, 4.3}, {9, 1}})
                 path.append(problem_->state({x, y}).get());
@@ -150,7 +151,7 @@ namespace ompl_mfa
             {
                 Swarm swarm = makeSwarm(3, coordinates);
                 swarm.step(never);
-                Waypoints path(problem_->si->getStateSpace());
+                path::Waypoints path(problem_->si->getStateSpace());
                 double sum = 0.0;
                 for (Eigen::Index i = 0; i < swarm.fireflies().population().cols(); ++i)
                 {
@@ -209,10 +210,10 @@ namespace ompl_mfa
                 settings.populationSize = 30;
                 settings.generations = 1;
                 return std::make_unique<Swarm>(
-                    SliceFrame::straight(std::make_shared<const StateChart>(problem_->si->getStateSpace()),
+                    SliceFrame::straight(std::make_shared<const path::StateChart>(problem_->si->getStateSpace()),
                                          problem_->state({1.0, 5.0}).get(), problem_->state({9.0, 5.0}).get(), 2),
                     Swarm::Coordinates::Offsets, evaluator_, settings, seed,
-                    [](const Waypoints &, const Brightness &) {});
+                    [](const path::Waypoints &, const Brightness &) {});
             }
 
             std::set<long long> evaluated(Swarm &swarm)
@@ -224,7 +225,7 @@ namespace ompl_mfa
 
             std::unique_ptr<test::PlanningProblem> problem_ = test::freeProblem();
             std::shared_ptr<Recording> objective_ = std::make_shared<Recording>(problem_->si);
-            PathEvaluator evaluator_{problem_->si, objective_};
+            path::PathEvaluator evaluator_{problem_->si, objective_};
         };
 
         TEST_F(SwarmStreams, EpochsAndRecombinationDrawDifferentNumbers)
@@ -244,7 +245,7 @@ namespace ompl_mfa
                 add(first);
                 // the candidates are the brightest 20, which were evaluated, and 16 fresh ones
                 objective_->ends.clear();
-                Waypoints found(problem_->si->getStateSpace());
+                path::Waypoints found(problem_->si->getStateSpace());
                 swarm->recombine(found, std::numeric_limits<double>::infinity(), 1, found);
                 std::set<long long> fresh;
                 std::set_difference(objective_->ends.begin(), objective_->ends.end(), first.begin(), first.end(),
@@ -257,7 +258,7 @@ namespace ompl_mfa
                 ASSERT_EQ(swarm->epoch(), 1U);
                 for (int i = 0; i < 6; ++i)
                 {
-                    Waypoints path(problem_->si->getStateSpace());
+                    path::Waypoints path(problem_->si->getStateSpace());
                     swarm->pathOf(i, path);
                     second.erase(std::llround(1e9 * test::coordinate(path[1], 1) / 10.0));
                 }
@@ -295,4 +296,4 @@ namespace ompl_mfa
             EXPECT_EQ(swarm.evaluations(), 4U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -48,7 +48,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -57,15 +57,16 @@ namespace ompl_mfa
             constexpr Eigen::Index SIZE = 8;
             const auto problem = test::freeProblem();
             const auto &space = problem->si->getStateSpace();
-            PathEvaluator evaluator(problem->si, std::make_shared<ob::PathLengthOptimizationObjective>(problem->si));
+            path::PathEvaluator evaluator(problem->si,
+                                          std::make_shared<ob::PathLengthOptimizationObjective>(problem->si));
             FireflyOptimizer::Settings settings;
             settings.populationSize = SIZE;
-            Swarm swarm(SliceFrame::straight(std::make_shared<const StateChart>(space),
+            Swarm swarm(SliceFrame::straight(std::make_shared<const path::StateChart>(space),
                                              problem->state({1.0, 1.0}).get(), problem->state({9.0, 1.0}).get(), 13),
                         Swarm::Coordinates::Modes, evaluator, settings, 3,
-                        [](const Waypoints &, const Brightness &) {});
+                        [](const path::Waypoints &, const Brightness &) {});
             swarm.step([] { return false; });
-            std::vector<Waypoints> alone(SIZE, Waypoints(space));
+            std::vector<path::Waypoints> alone(SIZE, path::Waypoints(space));
             for (Eigen::Index i = 0; i < SIZE; ++i)
                 swarm.pathOf(i, alone[static_cast<std::size_t>(i)]);
             std::atomic<unsigned int> wrong{0};
@@ -75,11 +76,11 @@ namespace ompl_mfa
                 threads.emplace_back(
                     [&, thread]
                     {
-                        Waypoints path(space);
+                        path::Waypoints path(space);
                         for (Eigen::Index n = thread; n < 8000; ++n)
                         {
                             swarm.pathOf(n % SIZE, path);
-                            const Waypoints &expected = alone[static_cast<std::size_t>(n % SIZE)];
+                            const path::Waypoints &expected = alone[static_cast<std::size_t>(n % SIZE)];
                             for (std::size_t k = 0; k < path.size(); ++k)
                             {
                                 if (!space->equalStates(path[k], expected[k]))
@@ -93,4 +94,4 @@ namespace ompl_mfa
             EXPECT_EQ(wrong, 0U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

@@ -48,7 +48,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
@@ -72,20 +72,20 @@ namespace ompl_mfa
                 settings_.generations = 15;
             }
 
-            Waypoints path(const std::vector<std::vector<double>> &states) const
+            path::Waypoints path(const std::vector<std::vector<double>> &states) const
             {
-                Waypoints path(problem_->si->getStateSpace());
+                path::Waypoints path(problem_->si->getStateSpace());
                 for (const auto &state : states)
                     path.append(problem_->state(state).get());
                 return path;
             }
 
-            std::unique_ptr<WindowSwarm> open(const Waypoints &path, std::size_t first, std::size_t last,
+            std::unique_ptr<WindowSwarm> open(const path::Waypoints &path, std::size_t first, std::size_t last,
                                               std::uint64_t seed)
             {
                 return WindowSwarm::open({path, first, last, path.length()}, GetParam(), 6,
-                                         std::make_shared<const StateChart>(problem_->si->getStateSpace()), evaluator_,
-                                         settings_, seed);
+                                         std::make_shared<const path::StateChart>(problem_->si->getStateSpace()),
+                                         evaluator_, settings_, seed);
             }
 
             static bool never()
@@ -100,10 +100,11 @@ namespace ompl_mfa
             }
 
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
-            PathEvaluator evaluator_{problem_->si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_->si)};
+            path::PathEvaluator evaluator_{problem_->si,
+                                           std::make_shared<ob::PathLengthOptimizationObjective>(problem_->si)};
             FireflyOptimizer::Settings settings_;
             // a detour over the wall whose middle vertices leave room below
-            Waypoints detour_ = path({{1.0, 1.0}, {2.0, 1.0}, {3.0, 8.5}, {7.0, 8.5}, {8.0, 1.0}, {9.0, 1.0}});
+            path::Waypoints detour_ = path({{1.0, 1.0}, {2.0, 1.0}, {3.0, 8.5}, {7.0, 8.5}, {8.0, 1.0}, {9.0, 1.0}});
         };
 
         INSTANTIATE_TEST_SUITE_P(Planner, WindowSwarmTest, ::testing::Values(Frame::Straight, Frame::Curved),
@@ -120,7 +121,7 @@ namespace ompl_mfa
                 if (window->found().empty())
                     continue;
                 ++found;
-                const Waypoints whole = window->pathWith(window->found());
+                const path::Waypoints whole = window->pathWith(window->found());
                 const auto &space = problem_->si->getStateSpace();
                 EXPECT_TRUE(space->equalStates(whole[0], detour_[0]));
                 EXPECT_TRUE(space->equalStates(whole[1], detour_[1]));
@@ -137,7 +138,7 @@ namespace ompl_mfa
         {
             const auto window = open(detour_, 1, 4, 3);
             EXPECT_DOUBLE_EQ(window->cost().value(), window->segment().length());
-            const Waypoints same = window->pathWith(window->segment());
+            const path::Waypoints same = window->pathWith(window->segment());
             ASSERT_EQ(same.size(), detour_.size());
             for (std::size_t i = 0; i < same.size(); ++i)
                 EXPECT_TRUE(problem_->si->getStateSpace()->equalStates(same[i], detour_[i]));
@@ -223,16 +224,17 @@ namespace ompl_mfa
         {
             problem_ = test::freeProblem();
             const auto objective = std::make_shared<LethalBand>(problem_->si);
-            PathEvaluator evaluator(problem_->si, objective);
-            const Waypoints through = path({{1.0, 1.0}, {3.0, 1.0}, {5.0, 2.0}, {7.0, 1.0}, {9.0, 1.0}});
+            path::PathEvaluator evaluator(problem_->si, objective);
+            const path::Waypoints through = path({{1.0, 1.0}, {3.0, 1.0}, {5.0, 2.0}, {7.0, 1.0}, {9.0, 1.0}});
             const double cost = evaluator.cost(through).value();
             ASSERT_EQ(cost, std::numeric_limits<double>::infinity());
             unsigned int found = 0;
             for (std::uint64_t seed = 0; seed < 10; ++seed)
             {
-                const auto window = WindowSwarm::open({through, 0, 4, cost}, GetParam(), 6,
-                                                      std::make_shared<const StateChart>(problem_->si->getStateSpace()),
-                                                      evaluator, settings_, seed);
+                const auto window =
+                    WindowSwarm::open({through, 0, 4, cost}, GetParam(), 6,
+                                      std::make_shared<const path::StateChart>(problem_->si->getStateSpace()),
+                                      evaluator, settings_, seed);
                 fly(*window);
                 if (window->found().empty())
                     continue;
@@ -246,9 +248,9 @@ namespace ompl_mfa
         {
             problem_ = test::freeProblem();
             const auto objective = std::make_shared<LethalBand>(problem_->si);
-            PathEvaluator evaluator(problem_->si, objective);
-            const Waypoints through = path({{1.0, 1.0}, {2.0, 2.0}, {3.0, 1.0}, {5.0, 2.0}, {9.0, 1.0}});
-            const auto chart = std::make_shared<const StateChart>(problem_->si->getStateSpace());
+            path::PathEvaluator evaluator(problem_->si, objective);
+            const path::Waypoints through = path({{1.0, 1.0}, {2.0, 2.0}, {3.0, 1.0}, {5.0, 2.0}, {9.0, 1.0}});
+            const auto chart = std::make_shared<const path::StateChart>(problem_->si->getStateSpace());
             const auto window = WindowSwarm::open({through, 0, 2, std::numeric_limits<double>::infinity()}, GetParam(),
                                                   6, chart, evaluator, settings_, 3);
             EXPECT_DOUBLE_EQ(window->bound(), 1.15 * 2.0 * std::sqrt(2.0));
@@ -268,17 +270,17 @@ namespace ompl_mfa
             auto si = std::make_shared<ob::SpaceInformation>(line);
             si->setStateValidityChecker([](const ob::State *) { return true; });
             si->setup();
-            PathEvaluator evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
-            Waypoints path(line);
+            path::PathEvaluator evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
+            path::Waypoints path(line);
             ob::ScopedState<ob::RealVectorStateSpace> state(line);
             for (const double x : {0.1, 0.5, 0.9})
             {
                 state[0] = x;
                 path.append(state.get());
             }
-            EXPECT_EQ(WindowSwarm::open({path, 0, 2, 0.8}, GetParam(), 6, std::make_shared<const StateChart>(line),
-                                        evaluator, settings_, 1),
+            EXPECT_EQ(WindowSwarm::open({path, 0, 2, 0.8}, GetParam(), 6,
+                                        std::make_shared<const path::StateChart>(line), evaluator, settings_, 1),
                       nullptr);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::fireflies

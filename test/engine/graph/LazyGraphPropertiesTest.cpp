@@ -55,7 +55,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::graph
 {
     namespace
     {
@@ -212,9 +212,9 @@ namespace ompl_mfa
                 si_->setStateValidityChecker([this](const ob::State *state) { return isValid(state); });
                 si_->setMotionValidator(std::make_shared<TableMotionValidator>(si_, graph_));
                 si_->setup();
-                evaluator = std::make_unique<PathEvaluator>(si_, std::make_shared<TableObjective>(si_, graph_));
+                evaluator = std::make_unique<path::PathEvaluator>(si_, std::make_shared<TableObjective>(si_, graph_));
                 lazy = std::make_unique<LazyGraph>(*evaluator);
-                path = std::make_unique<Waypoints>(space_);
+                path = std::make_unique<path::Waypoints>(space_);
                 ob::ScopedState<> state(space_);
                 for (std::size_t i = 0; i < graph_.size; ++i)
                 {
@@ -309,9 +309,9 @@ namespace ompl_mfa
                 RC_ASSERT(evaluator->cost(*path).value() == best);
             }
 
-            std::unique_ptr<PathEvaluator> evaluator;
+            std::unique_ptr<path::PathEvaluator> evaluator;
             std::unique_ptr<LazyGraph> lazy;
-            std::unique_ptr<Waypoints> path;
+            std::unique_ptr<path::Waypoints> path;
 
         private:
             bool isValid(const ob::State *state) const
@@ -548,4 +548,4 @@ namespace ompl_mfa
             RC_ASSERT(std::isinf(bound) || c.better(c.evaluator->cost(*c.path).value(), bound));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::graph

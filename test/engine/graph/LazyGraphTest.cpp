@@ -52,7 +52,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::graph
 {
     namespace
     {
@@ -122,7 +122,7 @@ namespace ompl_mfa
             void make(const AnyCost::Function &cost, const AnyCost::EndFunction &initial = {},
                       const AnyCost::EndFunction &terminal = {})
             {
-                evaluator_ = std::make_unique<PathEvaluator>(
+                evaluator_ = std::make_unique<path::PathEvaluator>(
                     problem_.si, std::make_shared<AnyCost>(problem_.si, cost, initial, terminal));
                 graph_ = std::make_unique<LazyGraph>(*evaluator_);
             }
@@ -137,9 +137,9 @@ namespace ompl_mfa
             double wall_{-10.0};  ///< no state within 1 of it is valid
             test::CountingProblem problem_{test::realVectorSpace(1, 0.0, 1000.0), [this](const ob::State *state)
                                            { return std::abs(value(state) - wall_) > 1.0; }};
-            std::unique_ptr<PathEvaluator> evaluator_;
+            std::unique_ptr<path::PathEvaluator> evaluator_;
             std::unique_ptr<LazyGraph> graph_;
-            Waypoints path_{problem_.si->getStateSpace()};
+            path::Waypoints path_{problem_.si->getStateSpace()};
         };
 
         /* Layers of four vertices, each joined to all of the next; the value of a vertex is ten times its layer and its
@@ -332,4 +332,4 @@ namespace ompl_mfa
             EXPECT_EQ(problem_.motions, 1U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::graph

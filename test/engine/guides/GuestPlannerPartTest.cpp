@@ -59,7 +59,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -117,7 +117,7 @@ namespace ompl_mfa
             /* The paper's algorithm, which has no other guide. */
             std::shared_ptr<MFA> planner(const test::PlanningProblem &problem, const ob::PlannerAllocator &guide) const
             {
-                auto result = problem.planner(test::Engine::Paper);
+                auto result = problem.planner(test::PlannerVariant::Paper);
                 result->setGuidePlanner(guide);
                 return result;
             }
@@ -134,7 +134,7 @@ namespace ompl_mfa
 
         TEST_F(GuidePlanner, WithoutOneThePaperCannotLeaveTheRoom)
         {
-            const auto mfa = problem_->planner(test::Engine::Paper);
+            const auto mfa = problem_->planner(test::PlannerVariant::Paper);
             EXPECT_NE(mfa->solve(test::afterCalls(50000)), ob::PlannerStatus::EXACT_SOLUTION);
         }
 
@@ -142,7 +142,7 @@ namespace ompl_mfa
         {
             // a hundred fireflies of offsets alone, twenty of smooth paths beside a guide, also in windows
             problem_ = test::wallProblem();
-            const auto alone = problem_->planner(test::Engine::Paper);
+            const auto alone = problem_->planner(test::PlannerVariant::Paper);
             const auto guided = planner(*problem_, make<og::RRTConnect>);
             for (const auto &mfa : {alone, guided})
             {
@@ -387,4 +387,4 @@ namespace ompl_mfa
             EXPECT_THROW(mfa->solve(test::afterCalls(10)), ompl::Exception);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

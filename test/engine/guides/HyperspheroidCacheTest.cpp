@@ -41,7 +41,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -91,4 +91,4 @@ namespace ompl_mfa
             EXPECT_EQ(cache.size(), 1U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

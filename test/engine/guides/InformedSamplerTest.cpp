@@ -51,7 +51,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -68,7 +68,7 @@ namespace ompl_mfa
             InformedSamplerTest()
               : space_(GetParam().make())
               , si_(std::make_shared<ob::SpaceInformation>(space_))
-              , chart_(std::make_shared<const StateChart>(space_))
+              , chart_(std::make_shared<const path::StateChart>(space_))
               , start_(space_)
               , goal_(space_)
               , state_(space_)
@@ -87,7 +87,7 @@ namespace ompl_mfa
             }
 
             /* How many of 300 samples a path shorter than the bound can lead through, and how many were drawn. */
-            std::pair<int, int> informed(const CostBounds &bounds)
+            std::pair<int, int> informed(const path::CostBounds &bounds)
             {
                 InformedSampler sampler(chart_, bounds, 3);
                 int within = 0;
@@ -105,12 +105,12 @@ namespace ompl_mfa
 
             ob::StateSpacePtr space_;
             ob::SpaceInformationPtr si_;
-            StateChartPtr chart_;
+            path::StateChartPtr chart_;
             ob::ScopedState<> start_;
             ob::ScopedState<> goal_;
             ob::ScopedState<> state_;
-            Waypoints starts_{space_};
-            Waypoints goals_{space_};
+            path::Waypoints starts_{space_};
+            path::Waypoints goals_{space_};
             double bound_{0.0};
         };
 
@@ -120,14 +120,14 @@ namespace ompl_mfa
         TEST_P(InformedSamplerTest, DrawsWithinTheInformedSet)
         {
             const auto [within, drawn] =
-                informed(CostBounds(si_, std::make_shared<ob::PathLengthOptimizationObjective>(si_)));
+                informed(path::CostBounds(si_, std::make_shared<ob::PathLengthOptimizationObjective>(si_)));
             EXPECT_GT(drawn, 0);
             EXPECT_EQ(within, drawn);
         }
 
         TEST_P(InformedSamplerTest, DrawsAnywhereOnceTheBoundsDoNotHold)
         {
-            CostBounds bounds(si_, std::make_shared<Derived>(si_));
+            path::CostBounds bounds(si_, std::make_shared<Derived>(si_));
             bounds.observePath(start_.get(), goal_.get(), ob::Cost(0.1 * bound_));
             ASSERT_FALSE(bounds.admissible());
             const auto [within, drawn] = informed(bounds);
@@ -140,13 +140,13 @@ namespace ompl_mfa
         {
             const auto space = test::realVectorSpace(2);
             const auto si = std::make_shared<ob::SpaceInformation>(space);
-            const Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
-            const Waypoints goals = test::planarPath(space, {{4.0, 0.0}, {0.0, 4.0}, {-6.0, 0.0}});
+            const path::Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
+            const path::Waypoints goals = test::planarPath(space, {{4.0, 0.0}, {0.0, 4.0}, {-6.0, 0.0}});
             for (const bool direct : {true, false})
             {
                 const auto length = std::make_shared<ob::PathLengthOptimizationObjective>(si);
-                const CostBounds bounds(si, direct ? length : std::make_shared<Derived>(si));
-                InformedSampler sampler(std::make_shared<const StateChart>(space), bounds, 3);
+                const path::CostBounds bounds(si, direct ? length : std::make_shared<Derived>(si));
+                InformedSampler sampler(std::make_shared<const path::StateChart>(space), bounds, 3);
                 ob::ScopedState<> state(space);
                 std::vector<int> within(3, 0);
                 for (int i = 0; i < 1000; ++i)
@@ -188,10 +188,10 @@ namespace ompl_mfa
             };
             const auto space = test::realVectorSpace(2);
             const auto si = std::make_shared<ob::SpaceInformation>(space);
-            const CostBounds bounds(si, std::make_shared<Rewarded>(si));
-            InformedSampler sampler(std::make_shared<const StateChart>(space), bounds, 3);
-            const Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
-            const Waypoints goals = test::planarPath(space, {{8.0, 0.0}, {-1.0, 0.0}});
+            const path::CostBounds bounds(si, std::make_shared<Rewarded>(si));
+            InformedSampler sampler(std::make_shared<const path::StateChart>(space), bounds, 3);
+            const path::Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
+            const path::Waypoints goals = test::planarPath(space, {{8.0, 0.0}, {-1.0, 0.0}});
             ob::ScopedState<> state(space);
             int drawn = 0;
             for (int i = 0; i < 100; ++i)
@@ -238,10 +238,10 @@ namespace ompl_mfa
             int count = 0;
             space->setStateSamplerAllocator(corner(count));
             const auto si = std::make_shared<ob::SpaceInformation>(space);
-            const CostBounds bounds(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
-            InformedSampler sampler(std::make_shared<const StateChart>(space), bounds, 3);
-            const Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
-            const Waypoints goals = test::planarPath(space, {{4.0, 0.0}});
+            const path::CostBounds bounds(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
+            InformedSampler sampler(std::make_shared<const path::StateChart>(space), bounds, 3);
+            const path::Waypoints starts = test::planarPath(space, {{0.0, 0.0}});
+            const path::Waypoints goals = test::planarPath(space, {{4.0, 0.0}});
             ob::ScopedState<> state(space);
             int inCorner = 0;
             for (int i = 0; i < 1000; ++i)
@@ -274,11 +274,11 @@ namespace ompl_mfa
             const auto inner = test::compoundSpace({test::so2Space(), plane}, {1.0, 1.0});
             const auto space = test::compoundSpace({inner, test::realVectorSpace(1)}, {1.0, 1.0});
             const auto si = std::make_shared<ob::SpaceInformation>(space);
-            const CostBounds bounds(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
-            InformedSampler sampler(std::make_shared<const StateChart>(space), bounds, 3);
+            const path::CostBounds bounds(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
+            InformedSampler sampler(std::make_shared<const path::StateChart>(space), bounds, 3);
             ob::ScopedState<> state(space);
             for (int i = 0; i < 100; ++i)
-                sampler.sample(Waypoints(space), Waypoints(space), std::numeric_limits<double>::infinity(),
+                sampler.sample(path::Waypoints(space), path::Waypoints(space), std::numeric_limits<double>::infinity(),
                                state.get());
             EXPECT_EQ(count, 50);
         }
@@ -288,10 +288,10 @@ namespace ompl_mfa
             const auto problem = test::wallProblem();
             int count = 0;
             problem->si->getStateSpace()->setStateSamplerAllocator(corner(count));
-            const auto planner = problem->planner(test::Engine::Default);
+            const auto planner = problem->planner(test::PlannerVariant::Default);
             ASSERT_EQ(planner->solve(test::afterCalls(30000)), ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_GT(count, 100);
             EXPECT_TRUE(problem->path().check());
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

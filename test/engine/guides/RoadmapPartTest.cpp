@@ -52,7 +52,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
@@ -69,9 +69,9 @@ namespace ompl_mfa
 
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
             test::SearchProblem search_{problem_->pdef};
-            PathEvaluator &evaluator_ = search_.evaluator();
+            path::PathEvaluator &evaluator_ = search_.evaluator();
             const Query &query_ = search_.context.query;
-            Waypoints path_{problem_->si->getStateSpace()};
+            path::Waypoints path_{problem_->si->getStateSpace()};
         };
 
         TEST_F(RoadmapPartTest, FindsValidPathsAndBetterOnesAsItGrows)
@@ -268,7 +268,7 @@ namespace ompl_mfa
         {
             test::SearchProblem search(problem_->pdef, 5, {}, std::make_shared<Forbidding>(problem_->si));
             search.begin();
-            PathEvaluator &evaluator = search.evaluator();
+            path::PathEvaluator &evaluator = search.evaluator();
             RoadmapPart roadmap(search.context, false);
             double bound = std::numeric_limits<double>::infinity();
             double cost = bound;
@@ -291,4 +291,4 @@ namespace ompl_mfa
             EXPECT_TRUE(std::isfinite(cost));
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

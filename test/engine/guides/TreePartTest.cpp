@@ -53,14 +53,14 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::guides
 {
     namespace
     {
         constexpr double ANY = std::numeric_limits<double>::infinity();
 
-        ob::ProblemDefinitionPtr problemOf(const ob::SpaceInformationPtr &si, const Waypoints &starts,
-                                           const Waypoints &goals)
+        ob::ProblemDefinitionPtr problemOf(const ob::SpaceInformationPtr &si, const path::Waypoints &starts,
+                                           const path::Waypoints &goals)
         {
             auto pdef = std::make_shared<ob::ProblemDefinition>(si);
             for (const ob::State *start : starts.pointers())
@@ -77,7 +77,7 @@ namespace ompl_mfa
         {
         public:
             TreeQuery(const ob::StateSpacePtr &space, const std::function<bool(const ob::State *)> &isValid,
-                      const Waypoints &starts, const Waypoints &goals, std::uint64_t seed = 3)
+                      const path::Waypoints &starts, const path::Waypoints &goals, std::uint64_t seed = 3)
               : counted(space, isValid)
               , si(counted.si)
               , search(problemOf(si, starts, goals), seed)
@@ -97,7 +97,7 @@ namespace ompl_mfa
                 return false;
             }
 
-            bool isOneOf(const Waypoints &states, const ob::State *state) const
+            bool isOneOf(const path::Waypoints &states, const ob::State *state) const
             {
                 for (std::size_t i = 0; i < states.size(); ++i)
                 {
@@ -120,14 +120,14 @@ namespace ompl_mfa
             test::CountingProblem counted;
             ob::SpaceInformationPtr si;
             test::SearchProblem search;
-            Waypoints path;
+            path::Waypoints path;
         };
 
-        Waypoints one(const ob::StateSpacePtr &space, ompl::RNG &rng)
+        path::Waypoints one(const ob::StateSpacePtr &space, ompl::RNG &rng)
         {
-            Waypoints states(space);
+            path::Waypoints states(space);
             states.resize(1);
-            StateChart(space).sampleUniform(rng, states[0]);
+            path::StateChart(space).sampleUniform(rng, states[0]);
             return states;
         }
 
@@ -152,8 +152,8 @@ namespace ompl_mfa
             int found = 0;
             for (std::uint_fast32_t seed = 1; seed <= 5; ++seed)
             {
-                Waypoints start = one(space, rng);
-                Waypoints goal = one(space, rng);
+                path::Waypoints start = one(space, rng);
+                path::Waypoints goal = one(space, rng);
                 while (!valid(start[0]))
                     start = one(space, rng);
                 while (!valid(goal[0]))
@@ -392,4 +392,4 @@ namespace ompl_mfa
             }
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::guides

@@ -58,7 +58,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -110,9 +110,9 @@ namespace ompl_mfa
             ob::StateSpacePtr space_ = test::realVectorSpace(2);
             test::CountingProblem problem_{space_, outsideDisc};
             std::shared_ptr<Counted> objective_ = std::make_shared<Counted>(problem_.si);
-            PathEvaluator evaluator_{problem_.si, objective_};
-            PathTightening tightening_{std::make_shared<const StateChart>(space_), evaluator_, 5};
-            Waypoints path_{space_};
+            path::PathEvaluator evaluator_{problem_.si, objective_};
+            PathTightening tightening_{std::make_shared<const path::StateChart>(space_), evaluator_, 5};
+            path::Waypoints path_{space_};
         };
 
         TEST_F(PathTighteningTest, KnowsTheCostOfItsPathAtAllTimes)
@@ -182,7 +182,7 @@ namespace ompl_mfa
             }
 
         private:
-            StateChart chart_;
+            path::StateChart chart_;
         };
 
         const Room &roomOf(const ob::SpaceInformationPtr &si)
@@ -252,9 +252,10 @@ namespace ompl_mfa
                                                     make<Climbing>, make<OneWayLength>};
 
         /* A path of up to \e states random states, whose motions are valid at twice the resolution. */
-        Waypoints anyStrictPath(PathEvaluator &evaluator, const StateChart &chart, ompl::RNG &rng, std::size_t states)
+        path::Waypoints anyStrictPath(path::PathEvaluator &evaluator, const path::StateChart &chart, ompl::RNG &rng,
+                                      std::size_t states)
         {
-            Waypoints path(chart.space());
+            path::Waypoints path(chart.space());
             ob::ScopedState<> state(chart.space());
             for (int tries = 0; tries < 400 && path.size() < states; ++tries)
             {
@@ -271,7 +272,7 @@ namespace ompl_mfa
         protected:
             TighteningOfEverySpace()
               : space_(GetParam().make())
-              , chart_(std::make_shared<const StateChart>(space_))
+              , chart_(std::make_shared<const path::StateChart>(space_))
               , si_(std::make_shared<ob::SpaceInformation>(space_))
             {
                 si_->setStateValidityChecker(std::make_shared<Room>(si_));
@@ -279,7 +280,7 @@ namespace ompl_mfa
             }
 
             ob::StateSpacePtr space_;
-            StateChartPtr chart_;
+            path::StateChartPtr chart_;
             ob::SpaceInformationPtr si_;
         };
 
@@ -299,9 +300,9 @@ namespace ompl_mfa
                     const auto states = *rc::gen::inRange<std::size_t>(2, 9);
                     const auto patience = *rc::gen::inRange(1, 400);
                     ompl::RNG rng(seed);
-                    PathEvaluator evaluator(si_, objective);
-                    PathEvaluator judge(si_, objective);
-                    const Waypoints path = anyStrictPath(judge, *chart_, rng, states);
+                    path::PathEvaluator evaluator(si_, objective);
+                    path::PathEvaluator judge(si_, objective);
+                    const path::Waypoints path = anyStrictPath(judge, *chart_, rng, states);
                     RC_PRE(path.size() >= 2);
                     PathTightening tightening(chart_, evaluator, seed);
                     tightening.begin(path);
@@ -312,7 +313,7 @@ namespace ompl_mfa
                         int asked = 0;
                         evaluator.setStopCondition([&] { return turn % 2 == 0 && ++asked > patience; });
                         const bool better = tightening.advance(1200);
-                        const Waypoints &now = tightening.path();
+                        const path::Waypoints &now = tightening.path();
                         RC_ASSERT(now.size() >= 2);
                         RC_ASSERT(space_->equalStates(now.front(), path.front()));
                         RC_ASSERT(space_->equalStates(now.back(), path.back()));
@@ -347,10 +348,10 @@ namespace ompl_mfa
                     const auto si = std::make_shared<ob::SpaceInformation>(space_);
                     si->setStateValidityChecker(std::make_shared<Room>(si));
                     si->setup();
-                    PathEvaluator evaluator(si, std::make_shared<LethalBand>(si));
-                    PathTightening tightening(std::make_shared<const StateChart>(space_), evaluator, seed);
+                    path::PathEvaluator evaluator(si, std::make_shared<LethalBand>(si));
+                    PathTightening tightening(std::make_shared<const path::StateChart>(space_), evaluator, seed);
                     // above the ball, through the band
-                    const Waypoints path =
+                    const path::Waypoints path =
                         single
                             ? test::planarPath(space_, {{-6.0, 2.8}, {6.0, 2.8}})
                             : test::planarPath(space_, {{-6.0, 0.0}, {-5.0, 2.8}, {1.0, 2.8}, {5.0, 2.8}, {6.0, 0.0}});
@@ -392,7 +393,7 @@ namespace ompl_mfa
             const auto si = std::make_shared<ob::SpaceInformation>(space);
             si->setStateValidityChecker([](const ob::State *) { return true; });
             si->setup();
-            Waypoints path(space);
+            path::Waypoints path(space);
             ob::ScopedState<> state(space);
             state[1] = state[2] = 0.0;
             for (const double x : {-5.5, 5.5})
@@ -402,8 +403,8 @@ namespace ompl_mfa
             }
             for (std::uint_fast32_t seed = 1; seed <= 20; ++seed)
             {
-                PathEvaluator evaluator(si, std::make_shared<LethalBall>(si));
-                PathTightening tightening(std::make_shared<const StateChart>(space), evaluator, seed);
+                path::PathEvaluator evaluator(si, std::make_shared<LethalBall>(si));
+                PathTightening tightening(std::make_shared<const path::StateChart>(space), evaluator, seed);
                 tightening.begin(path);
                 EXPECT_TRUE(tightening.advance(20000));
                 EXPECT_TRUE(std::isfinite(tightening.cost().value())) << seed;
@@ -428,9 +429,9 @@ namespace ompl_mfa
             si->setStateValidityChecker(std::make_shared<Room>(si));
             si->setup();
             const auto objective = std::make_shared<NoClearanceNearby>(si);
-            PathEvaluator evaluator(si, objective);
-            PathTightening tightening(std::make_shared<const StateChart>(space_), evaluator, 3);
-            const Waypoints path = test::planarPath(space_, {{-8.0, 8.0}, {-2.0, 2.0}, {2.0, 2.0}, {8.0, 8.0}});
+            path::PathEvaluator evaluator(si, objective);
+            PathTightening tightening(std::make_shared<const path::StateChart>(space_), evaluator, 3);
+            const path::Waypoints path = test::planarPath(space_, {{-8.0, 8.0}, {-2.0, 2.0}, {2.0, 2.0}, {8.0, 8.0}});
             ASSERT_FALSE(objective->isFinite(evaluator.cost(path)));
             tightening.begin(path);
             EXPECT_TRUE(tightening.advance(40000));
@@ -451,17 +452,17 @@ namespace ompl_mfa
                     return std::abs(x[0] - wall) > 0.06 || std::abs(x[1] - 3.0 * std::sin(2.0 * wall)) < 1.2;
                 });
             si->setup();
-            const auto chart = std::make_shared<const StateChart>(space_);
+            const auto chart = std::make_shared<const path::StateChart>(space_);
             unsigned int motions = 0;
             for (std::uint_fast32_t seed = 1; seed <= 60; ++seed)
             {
-                PathEvaluator evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
+                path::PathEvaluator evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si));
                 ompl::RNG rng(seed);
-                const Waypoints path = anyStrictPath(evaluator, *chart, rng, 12);
+                const path::Waypoints path = anyStrictPath(evaluator, *chart, rng, 12);
                 PathTightening tightening(chart, evaluator, seed);
                 tightening.begin(path);
                 ASSERT_TRUE(tightening.advance(6000));
-                const Waypoints &now = tightening.path();
+                const path::Waypoints &now = tightening.path();
                 for (std::size_t i = 1; i < now.size(); ++i)
                 {
                     ++motions;
@@ -477,7 +478,7 @@ namespace ompl_mfa
             explicit WayAroundABall(unsigned int dimension)
               : space(test::realVectorSpace(dimension))
               , si(std::make_shared<ob::SpaceInformation>(space))
-              , chart(std::make_shared<const StateChart>(space))
+              , chart(std::make_shared<const path::StateChart>(space))
               , path(space)
             {
                 si->setStateValidityChecker([dimension](const ob::State *state)
@@ -503,8 +504,8 @@ namespace ompl_mfa
             static constexpr double RADIUS = 3.0;
             ob::StateSpacePtr space;
             ob::SpaceInformationPtr si;
-            StateChartPtr chart;
-            Waypoints path;
+            path::StateChartPtr chart;
+            path::Waypoints path;
             /* Two tangents and the arc between them. */
             double optimum{2.0 * std::sqrt(64.0 - RADIUS * RADIUS) +
                            RADIUS * (boost::math::constants::pi<double>() - 2.0 * std::acos(RADIUS / 8.0))};
@@ -516,7 +517,8 @@ namespace ompl_mfa
             double sum = 0.0;
             for (std::uint_fast32_t seed = 1; seed <= seeds; ++seed)
             {
-                PathEvaluator evaluator(problem.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
+                path::PathEvaluator evaluator(problem.si,
+                                              std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
                 PathTightening tightening(problem.chart, evaluator, seed);
                 tightening.begin(problem.path);
                 tightening.advance(work);
@@ -542,8 +544,8 @@ namespace ompl_mfa
                 double excess = 0.0;
                 for (std::uint_fast32_t seed = 1; seed <= 30; ++seed)
                 {
-                    PathEvaluator evaluator(problem.si,
-                                            std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
+                    path::PathEvaluator evaluator(problem.si,
+                                                  std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
                     PathTightening tightening(problem.chart, evaluator, seed);
                     tightening.begin(problem.path);
                     for (int turn = 0; turn < 400 && !tightening.converged(); ++turn)
@@ -567,11 +569,12 @@ namespace ompl_mfa
             unsigned int valid = 0;
             for (std::uint_fast32_t seed = 1; seed <= 60; ++seed)
             {
-                PathEvaluator evaluator(problem.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
+                path::PathEvaluator evaluator(problem.si,
+                                              std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
                 PathTightening tightening(problem.chart, evaluator, seed);
                 tightening.begin(start);
                 tightening.advance(8000);
-                const Waypoints &path = tightening.path();
+                const path::Waypoints &path = tightening.path();
                 for (std::size_t i = 1; i < path.size(); ++i)
                 {
                     const unsigned int states = 4 * problem.space->validSegmentCount(path[i - 1], path[i]);
@@ -589,4 +592,4 @@ namespace ompl_mfa
             EXPECT_GT(valid, 85 * motions / 100);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::refinement

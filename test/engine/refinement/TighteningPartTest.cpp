@@ -48,7 +48,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -63,7 +63,7 @@ namespace ompl_mfa
             }
 
             /* As the engine does with a path that another part found. */
-            Proposal offer(const Waypoints &path, Proposal::Stage stage)
+            Proposal offer(const path::Waypoints &path, Proposal::Stage stage)
             {
                 Proposal proposal{path, search_.evaluator().cost(path), stage, PartKind::Trees};
                 EXPECT_TRUE(search_.context.incumbent.offer(path, proposal.cost->value(), proposal.origin));
@@ -75,7 +75,7 @@ namespace ompl_mfa
             test::SearchProblem search_{problem_->pdef};
             TighteningPart part_{search_.context};
             ob::StateSpacePtr space_ = problem_->si->getStateSpace();
-            Waypoints detour_ =
+            path::Waypoints detour_ =
                 test::planarPath(space_, {{1.0, 1.0}, {2.0, 5.0}, {3.0, 8.5}, {7.0, 8.5}, {8.0, 4.0}, {9.0, 1.0}});
             Findings findings_{space_};
         };
@@ -118,7 +118,7 @@ namespace ompl_mfa
             const double before = detour_.length();
             ob::Cost cost(before);
             const double rival = 0.95 * before;
-            const Waypoints refined = part_.refine(detour_, cost, ob::Cost(rival));
+            const path::Waypoints refined = part_.refine(detour_, cost, ob::Cost(rival));
             EXPECT_LT(cost.value(), rival);
             EXPECT_NEAR(cost.value(), refined.length(), 1e-9);
             EXPECT_TRUE(search_.evaluator().checkPath(refined));
@@ -141,14 +141,14 @@ namespace ompl_mfa
         TEST_F(TighteningPartTest, TurnsGoOnWithWhatBecameTheBestPath)
         {
             ob::Cost cost(detour_.length());
-            const Waypoints refined = part_.refine(detour_, cost, ob::Cost(ANY));
+            const path::Waypoints refined = part_.refine(detour_, cost, ob::Cost(ANY));
             offer(refined, Proposal::Stage::Tight);
             part_.advance(5000, findings_);
             ASSERT_FALSE(findings_.paths.empty());
             EXPECT_LT(findings_.paths.back().cost->value(), cost.value());
             findings_.paths.clear();
             // one on the other side of one of its own
-            const Waypoints other = test::planarPath(space_, {{1.0, 1.0}, {4.0, 6.2}, {6.0, 6.2}, {9.0, 1.0}});
+            const path::Waypoints other = test::planarPath(space_, {{1.0, 1.0}, {4.0, 6.2}, {6.0, 6.2}, {9.0, 1.0}});
             ASSERT_LT(other.length(), cost.value());
             offer(other, Proposal::Stage::Raw);
             const double best = search_.context.incumbent.cost();
@@ -170,4 +170,4 @@ namespace ompl_mfa
             EXPECT_EQ(problem_->counted.states, 0U);
         }
     }  // namespace
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::engine::refinement
