@@ -46,7 +46,7 @@ namespace ompl_mfa::collision
     namespace
     {
         // Bounds what grazing costs; a motion that needs more counts as touching.
-        constexpr int maximumSteps = 1000;
+        constexpr int MAXIMUM_STEPS = 1000;
 
         fcl::Vector3d velocity(const MovingShape &shape)
         {
@@ -69,7 +69,7 @@ namespace ompl_mfa::collision
             fcl::Transform3d poseB;
             double reached = 0.;
             double next = 0.;
-            for (int step = 0; step < maximumSteps; ++step)
+            for (int step = 0; step < MAXIMUM_STEPS; ++step)
             {
                 a.place(next, poseA);
                 b.place(next, poseB);
@@ -119,7 +119,7 @@ namespace ompl_mfa::collision
                 for (int step = 0; size_ > 0; ++step)
                 {
                     const auto [low, high] = open_[--size_];
-                    if (step == maximumSteps || size_ + 2 > open_.size() || !cover(low, high))
+                    if (step == MAXIMUM_STEPS || size_ + 2 > open_.size() || !cover(low, high))
                     {
                         return low;
                     }
@@ -177,7 +177,7 @@ namespace ompl_mfa::collision
                 }
                 if (distance <= 0.)
                 {
-                    if (goal_.untilFirst || half < contactResolution)
+                    if (goal_.untilFirst || half < CONTACT_RESOLUTION)
                     {
                         return false;
                     }
@@ -194,7 +194,7 @@ namespace ompl_mfa::collision
             }
 
             // To which share of a motion its first contact is found.
-            static constexpr double contactResolution = 1e-4;
+            static constexpr double CONTACT_RESOLUTION = 1e-4;
 
             const PairFunctions &functions_;
             const MovingShape &a_;

@@ -122,8 +122,8 @@ namespace ompl_mfa::collision
     ConvexSeparation separate(const ShapeA &a, const fcl::Transform3d &poseA, const ShapeB &b,
                               const fcl::Transform3d &poseB, bool decideOnly)
     {
-        constexpr int maximumIterations = 100;
-        constexpr double accuracy = 1e-11;
+        constexpr int MAXIMUM_ITERATIONS = 100;
+        constexpr double ACCURACY = 1e-11;
         const fcl::Matrix3d rotation = poseA.linear().transpose() * poseB.linear();
         const fcl::Vector3d offset = poseA.linear().transpose() * (poseB.translation() - poseA.translation());
         const double margin = ShapeTraits<ShapeA>::margin(a) + ShapeTraits<ShapeB>::margin(b);
@@ -135,7 +135,7 @@ namespace ompl_mfa::collision
         {
             direction = fcl::Vector3d::UnitX();
         }
-        for (int i = 0; i < maximumIterations; ++i)
+        for (int i = 0; i < MAXIMUM_ITERATIONS; ++i)
         {
             const double length = direction.norm();
             const fcl::Vector3d onB = rotation * ShapeTraits<ShapeB>::support(b, rotation.transpose() * direction);
@@ -148,14 +148,14 @@ namespace ompl_mfa::collision
             }
             const double size = point.norm();
             const bool decided = decideOnly && (result.lower > 0. || result.upper <= 0.);
-            if (decided || result.upper - result.lower <= accuracy * (size + margin) || simplex.holds(point))
+            if (decided || result.upper - result.lower <= ACCURACY * (size + margin) || simplex.holds(point))
             {
                 break;
             }
             simplex.add(point);
             direction = simplex.closest();
             const double upper = direction.norm() - margin;
-            if (simplex.containsOrigin() || direction.squaredNorm() <= accuracy * accuracy * size * size)
+            if (simplex.containsOrigin() || direction.squaredNorm() <= ACCURACY * ACCURACY * size * size)
             {
                 result.upper = std::min(result.upper, -margin);
                 break;

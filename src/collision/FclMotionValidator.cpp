@@ -50,7 +50,7 @@ namespace ompl_mfa::collision
     namespace
     {
         // To which share of a motion it is found out where it leaves the bounds.
-        constexpr double boundsResolution = 1e-9;
+        constexpr double BOUNDS_RESOLUTION = 1e-9;
 
         // OMPL's counters are plain integers, and planners check motions from several threads.
         void count(unsigned int &counter)
@@ -139,7 +139,7 @@ namespace ompl_mfa::collision
         ob::State *state = si_->allocState();
         double inside = 0.;
         double outside = reached;
-        for (double share = reached; outside - inside > boundsResolution; share = 0.5 * (inside + outside))
+        for (double share = reached; outside - inside > BOUNDS_RESOLUTION; share = 0.5 * (inside + outside))
         {
             space->interpolate(s1, s2, share, state);
             if (space->satisfiesBounds(state))

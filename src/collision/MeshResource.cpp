@@ -46,7 +46,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        const std::string schemeEnd = "://";
+        const std::string SCHEME_END = "://";
 
         int hexDigit(char digit)
         {
@@ -107,13 +107,13 @@ namespace ompl_mfa::collision
 
         Folders placesOf(const std::string &resource, const Folders &folders)
         {
-            const std::size_t end = resource.find(schemeEnd);
+            const std::size_t end = resource.find(SCHEME_END);
             if (end == std::string::npos)
             {
                 return placesOfName(resource, folders);
             }
             const std::string scheme = resource.substr(0, end);
-            const std::string address = decoded(resource.substr(end + schemeEnd.size()));
+            const std::string address = decoded(resource.substr(end + SCHEME_END.size()));
             if (scheme == "package")
             {
                 return placesInPackage(address, folders);

@@ -68,7 +68,7 @@ namespace ompl_mfa::collision
                 if (search.nearestA >= 0)
                 {
                     const fcl::TrianglePd triangle = triangleOf(a, search.nearestA);
-                    if constexpr (isPrimitive<B>)
+                    if constexpr (IS_PRIMITIVE<B>)
                     {
                         return separate(b, poseB, triangle, poseA, false).upper;
                     }
@@ -83,18 +83,18 @@ namespace ompl_mfa::collision
 
         // FCL has a mesh before a primitive, and a map before both.
         template <typename A, typename B>
-        constexpr bool inOrder = std::is_same_v<A, OccupancyTree> ||
-                                 (std::is_same_v<A, MeshGeometry> && !std::is_same_v<B, OccupancyTree>);
+        constexpr bool IN_ORDER = std::is_same_v<A, OccupancyTree> ||
+                                  (std::is_same_v<A, MeshGeometry> && !std::is_same_v<B, OccupancyTree>);
 
         template <typename A, typename B>
         bool collidePair(const Geometry &a, const Pose &poseA, const Geometry &b, const Pose &poseB)
         {
-            if constexpr (isPrimitive<A> && isPrimitive<B>)
+            if constexpr (IS_PRIMITIVE<A> && IS_PRIMITIVE<B>)
             {
                 return separateShapes(static_cast<const A &>(a), poseA, static_cast<const B &>(b), poseB, true).lower <=
                        0.;
             }
-            else if constexpr (inOrder<A, B>)
+            else if constexpr (IN_ORDER<A, B>)
             {
                 static const fcl::CollisionRequestd request;
                 fcl::CollisionResultd &result = clearedResult();
@@ -111,14 +111,14 @@ namespace ompl_mfa::collision
         double distancePair(const Geometry &a, const Pose &poseA, const Geometry &b, const Pose &poseB,
                             DistanceSearch &search)
         {
-            if constexpr (isPrimitive<A> && isPrimitive<B>)
+            if constexpr (IS_PRIMITIVE<A> && IS_PRIMITIVE<B>)
             {
                 const double distance =
                     separateShapes(static_cast<const A &>(a), poseA, static_cast<const B &>(b), poseB, false).lower;
                 // A plane that does not separate two shapes tells little of how deep they are in each other.
-                return std::min(search.limit, depthIsKnown<A, B> ? distance : std::max(0., distance));
+                return std::min(search.limit, DEPTH_IS_KNOWN<A, B> ? distance : std::max(0., distance));
             }
-            else if constexpr (inOrder<A, B>)
+            else if constexpr (IN_ORDER<A, B>)
             {
                 const double remembered =
                     rememberedDistance(static_cast<const A &>(a), poseA, static_cast<const B &>(b), poseB, search);
@@ -147,7 +147,7 @@ namespace ompl_mfa::collision
         template <typename A, typename B>
         constexpr PairFunctions makePair()
         {
-            if constexpr (isPrimitive<A> && isPrimitive<B>)
+            if constexpr (IS_PRIMITIVE<A> && IS_PRIMITIVE<B>)
             {
                 return {collidePair<A, B>, distancePair<A, B>, separatePair<A, B>};
             }
@@ -157,8 +157,8 @@ namespace ompl_mfa::collision
             }
         }
 
-        constexpr std::size_t kindCount = std::tuple_size_v<ShapeKinds>;
-        using Row = std::array<PairFunctions, kindCount>;
+        constexpr std::size_t KIND_COUNT = std::tuple_size_v<ShapeKinds>;
+        using Row = std::array<PairFunctions, KIND_COUNT>;
 
         template <typename A, std::size_t... B>
         constexpr Row makeRow(std::index_sequence<B...> /*columns*/)
@@ -167,7 +167,7 @@ namespace ompl_mfa::collision
         }
 
         template <std::size_t... A>
-        constexpr std::array<Row, kindCount> makeTable(std::index_sequence<A...> rows)
+        constexpr std::array<Row, KIND_COUNT> makeTable(std::index_sequence<A...> rows)
         {
             return {makeRow<std::tuple_element_t<A, ShapeKinds>>(rows)...};
         }
@@ -175,7 +175,7 @@ namespace ompl_mfa::collision
 
     const PairFunctions &pairFunctions(const Geometry &a, const Geometry &b)
     {
-        static constexpr std::array<Row, kindCount> table = makeTable(std::make_index_sequence<kindCount>());
-        return table[kindOf(a)][kindOf(b)];
+        static constexpr std::array<Row, KIND_COUNT> TABLE = makeTable(std::make_index_sequence<KIND_COUNT>());
+        return TABLE[kindOf(a)][kindOf(b)];
     }
 }  // namespace ompl_mfa::collision

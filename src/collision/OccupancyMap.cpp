@@ -52,9 +52,9 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        const std::string binaryHeader = "# Octomap OcTree binary file";
-        const std::string fullHeader = "# Octomap OcTree file";
-        constexpr unsigned int treeDepth = 16;
+        const std::string BINARY_HEADER = "# Octomap OcTree binary file";
+        const std::string FULL_HEADER = "# Octomap OcTree file";
+        constexpr unsigned int TREE_DEPTH = 16;
 
         // OctoMap itself reads on past the end of a truncated file and recurses as deep as a broken one tells it to.
         // So the nodes are walked first, with nothing but their lists of children.
@@ -89,7 +89,7 @@ namespace ompl_mfa::collision
         private:
             bool walkBinary(unsigned int depth)
             {
-                if (position_ + 2 > content_.size() || depth >= treeDepth)
+                if (position_ + 2 > content_.size() || depth >= TREE_DEPTH)
                 {
                     return false;
                 }
@@ -109,7 +109,7 @@ namespace ompl_mfa::collision
 
             bool walkFull(unsigned int depth)
             {
-                if (position_ + sizeof(float) + 1 > content_.size() || depth > treeDepth)
+                if (position_ + sizeof(float) + 1 > content_.size() || depth > TREE_DEPTH)
                 {
                     return false;
                 }
@@ -156,12 +156,12 @@ namespace ompl_mfa::collision
             std::string line;
             std::getline(stream, line);
             Header header;
-            header.binary = line.compare(0, binaryHeader.size(), binaryHeader) == 0;
-            if (!header.binary && line.compare(0, fullHeader.size(), fullHeader) != 0)
+            header.binary = line.compare(0, BINARY_HEADER.size(), BINARY_HEADER) == 0;
+            if (!header.binary && line.compare(0, FULL_HEADER.size(), FULL_HEADER) != 0)
             {
                 fail(file, 1,
-                     "not an OctoMap of version 1.0 or newer: the first line must begin with '" + binaryHeader +
-                         "' (.bt) or '" + fullHeader + "' (.ot)");
+                     "not an OctoMap of version 1.0 or newer: the first line must begin with '" + BINARY_HEADER +
+                         "' (.bt) or '" + FULL_HEADER + "' (.ot)");
             }
             for (std::size_t number = 2; std::getline(stream, line); ++number)
             {
@@ -192,7 +192,7 @@ namespace ompl_mfa::collision
         // Coordinates reach to 2^15 cells from the origin.
         bool isResolution(double value)
         {
-            return value > 0. && value <= largestCoordinate / 32768.;
+            return value > 0. && value <= LARGEST_COORDINATE / 32768.;
         }
 
         void checkHeader(const Header &header, const std::filesystem::path &file)

@@ -85,7 +85,7 @@ namespace ompl_mfa::collision
                 for (std::size_t i = 0; i < sides.size(); ++i)
                 {
                     addCorner(sides[i]);
-                    refine(sides[i], sides[(i + 1) % sides.size()], refinements);
+                    refine(sides[i], sides[(i + 1) % sides.size()], REFINEMENTS);
                 }
                 closeOutline();
                 return std::move(corners_);
@@ -196,7 +196,7 @@ namespace ompl_mfa::collision
             }
 
             // Of each quarter of the outline: a circle gets 128 corners.
-            static constexpr int refinements = 5;
+            static constexpr int REFINEMENTS = 5;
 
             const Shape &shape_;
             const fcl::Transform3d &pose_;

@@ -58,10 +58,10 @@ namespace ompl_mfa::collision
     namespace
     {
         // MoveIt's name of the occupancy map among the objects of a world.
-        const std::string octomapId = "<octomap>";
+        const std::string OCTOMAP_ID = "<octomap>";
 
         // In the order of their numbers in moveit_msgs/CollisionObject.
-        const std::vector<std::string> operations{"add", "remove", "append", "move"};
+        const std::vector<std::string> OPERATIONS{"add", "remove", "append", "move"};
 
         enum class Operation
         {
@@ -239,7 +239,7 @@ namespace ompl_mfa::collision
                 // Free space is no obstacle.
                 if (geometry)
                 {
-                    world_.add({octomapId, pose, {{geometry}}, {}});
+                    world_.add({OCTOMAP_ID, pose, {{geometry}}, {}});
                 }
             }
 
@@ -303,7 +303,7 @@ namespace ompl_mfa::collision
                     yaml_.fail(node, "key 'id' is missing or empty");
                 }
                 const std::string id = yaml_.text(node, "id");
-                if (id == octomapId)
+                if (id == OCTOMAP_ID)
                 {
                     yaml_.fail(node["id"], "id = " + id + " is MoveIt's name of the occupancy map");
                 }
@@ -328,9 +328,9 @@ namespace ompl_mfa::collision
                     return Operation::Add;
                 }
                 const std::string text = lowerCase(yaml_.text(node, "operation"));
-                for (std::size_t i = 0; i < operations.size(); ++i)
+                for (std::size_t i = 0; i < OPERATIONS.size(); ++i)
                 {
-                    if (text == operations[i] || text == std::to_string(i) ||
+                    if (text == OPERATIONS[i] || text == std::to_string(i) ||
                         text == std::string(1, static_cast<char>(i)))
                     {
                         return static_cast<Operation>(i);
@@ -362,7 +362,7 @@ namespace ompl_mfa::collision
                 if (!present)
                 {
                     const auto number = static_cast<std::size_t>(operation);
-                    yaml_.fail(node["operation"], "operation = " + std::to_string(number) + " ('" + operations[number] +
+                    yaml_.fail(node["operation"], "operation = " + std::to_string(number) + " ('" + OPERATIONS[number] +
                                                       "'): there is no object '" + id + "' before it");
                 }
             }

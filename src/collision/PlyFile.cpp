@@ -73,7 +73,7 @@ namespace ompl_mfa::collision
                 const char *otherName;
                 std::size_t size;
             };
-            constexpr std::array<Type, 8> types{{{"char", "int8", 1},
+            constexpr std::array<Type, 8> TYPES{{{"char", "int8", 1},
                                                  {"uchar", "uint8", 1},
                                                  {"short", "int16", 2},
                                                  {"ushort", "uint16", 2},
@@ -81,7 +81,7 @@ namespace ompl_mfa::collision
                                                  {"uint", "uint32", 4},
                                                  {"float", "float32", 4},
                                                  {"double", "float64", 8}}};
-            for (const Type &known : types)
+            for (const Type &known : TYPES)
             {
                 if (type == known.name || type == known.otherName)
                 {
@@ -94,9 +94,9 @@ namespace ompl_mfa::collision
         // A line that ends as on Unix, Windows or old Macs, and is not blank. Lines of a header are short.
         bool nextLine(std::istream &stream, std::string &line)
         {
-            constexpr std::size_t longest = 4096;
+            constexpr std::size_t LONGEST = 4096;
             line.clear();
-            for (int byte = stream.get(); stream && line.size() < longest; byte = stream.get())
+            for (int byte = stream.get(); stream && line.size() < LONGEST; byte = stream.get())
             {
                 if (byte != '\n' && byte != '\r')
                 {
@@ -114,7 +114,7 @@ namespace ompl_mfa::collision
                 line.clear();
             }
             stream.clear();
-            return line.size() < longest && line.find_first_not_of(" \t") != std::string::npos;
+            return line.size() < LONGEST && line.find_first_not_of(" \t") != std::string::npos;
         }
 
         class PlyReader

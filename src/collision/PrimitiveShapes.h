@@ -76,7 +76,7 @@ namespace ompl_mfa::collision
 
         /** \brief Whether there is a signedDistance(): that of a point, in the frame of the shape, to the core, minus
             its depth inside. It sets the nearest point of the core where the point is outside. */
-        static constexpr bool hasSignedDistance = false;
+        static constexpr bool HAS_SIGNED_DISTANCE = false;
     };
 
     /** \brief A kind of primitive: convex, its origin inside. Each has
@@ -89,7 +89,7 @@ namespace ompl_mfa::collision
     template <>
     struct ShapeTraits<fcl::Boxd> : ShapeDefaults
     {
-        static constexpr fcl::NODE_TYPE type = fcl::GEOM_BOX;
+        static constexpr fcl::NODE_TYPE TYPE = fcl::GEOM_BOX;
 
         static PrimitiveKind kind()
         {
@@ -102,7 +102,7 @@ namespace ompl_mfa::collision
                     std::copysign(0.5 * box.side[2], direction[2])};
         }
 
-        static constexpr bool hasSignedDistance = true;
+        static constexpr bool HAS_SIGNED_DISTANCE = true;
 
         static double signedDistance(const fcl::Boxd &box, const fcl::Vector3d &point, fcl::Vector3d &nearest)
         {
@@ -115,7 +115,7 @@ namespace ompl_mfa::collision
     template <>
     struct ShapeTraits<fcl::Sphered> : ShapeDefaults
     {
-        static constexpr fcl::NODE_TYPE type = fcl::GEOM_SPHERE;
+        static constexpr fcl::NODE_TYPE TYPE = fcl::GEOM_SPHERE;
 
         // Of radius 0 it is a point.
         static PrimitiveKind kind()
@@ -133,7 +133,7 @@ namespace ompl_mfa::collision
             return sphere.radius;
         }
 
-        static constexpr bool hasSignedDistance = true;
+        static constexpr bool HAS_SIGNED_DISTANCE = true;
 
         static double signedDistance(const fcl::Sphered & /*sphere*/, const fcl::Vector3d &point,
                                      fcl::Vector3d &nearest)
@@ -146,7 +146,7 @@ namespace ompl_mfa::collision
     template <>
     struct ShapeTraits<fcl::Cylinderd> : ShapeDefaults
     {
-        static constexpr fcl::NODE_TYPE type = fcl::GEOM_CYLINDER;
+        static constexpr fcl::NODE_TYPE TYPE = fcl::GEOM_CYLINDER;
 
         // shape_msgs/SolidPrimitive lists the height first, FCL takes the radius first.
         static PrimitiveKind kind()
@@ -161,7 +161,7 @@ namespace ompl_mfa::collision
             return {scale * direction[0], scale * direction[1], std::copysign(0.5 * cylinder.lz, direction[2])};
         }
 
-        static constexpr bool hasSignedDistance = true;
+        static constexpr bool HAS_SIGNED_DISTANCE = true;
 
         static double signedDistance(const fcl::Cylinderd &cylinder, const fcl::Vector3d &point, fcl::Vector3d &nearest)
         {
@@ -174,7 +174,7 @@ namespace ompl_mfa::collision
     template <>
     struct ShapeTraits<fcl::Coned> : ShapeDefaults
     {
-        static constexpr fcl::NODE_TYPE type = fcl::GEOM_CONE;
+        static constexpr fcl::NODE_TYPE TYPE = fcl::GEOM_CONE;
 
         static PrimitiveKind kind()
         {
@@ -196,7 +196,7 @@ namespace ompl_mfa::collision
     template <>
     struct ShapeTraits<fcl::Capsuled> : ShapeDefaults
     {
-        static constexpr fcl::NODE_TYPE type = fcl::GEOM_CAPSULE;
+        static constexpr fcl::NODE_TYPE TYPE = fcl::GEOM_CAPSULE;
 
         // Not one of MoveIt's. Its height is that of the cylinder between the two half balls.
         static PrimitiveKind kind()
@@ -214,7 +214,7 @@ namespace ompl_mfa::collision
             return capsule.radius;
         }
 
-        static constexpr bool hasSignedDistance = true;
+        static constexpr bool HAS_SIGNED_DISTANCE = true;
 
         static double signedDistance(const fcl::Capsuled &capsule, const fcl::Vector3d &point, fcl::Vector3d &nearest)
         {

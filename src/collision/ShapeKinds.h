@@ -56,14 +56,14 @@ namespace ompl_mfa::collision
         decltype(std::tuple_cat(std::declval<Primitives>(), std::declval<std::tuple<MeshGeometry, OccupancyTree>>()));
 
     template <typename Shape>
-    constexpr bool isPrimitive = !std::is_same_v<Shape, MeshGeometry> && !std::is_same_v<Shape, OccupancyTree>;
+    constexpr bool IS_PRIMITIVE = !std::is_same_v<Shape, MeshGeometry> && !std::is_same_v<Shape, OccupancyTree>;
 
     template <typename Shape>
     constexpr fcl::NODE_TYPE nodeType()
     {
-        if constexpr (isPrimitive<Shape>)
+        if constexpr (IS_PRIMITIVE<Shape>)
         {
-            return ShapeTraits<Shape>::type;
+            return ShapeTraits<Shape>::TYPE;
         }
         else
         {

@@ -44,12 +44,12 @@
 namespace ompl_mfa::collision
 {
     template <typename Shape>
-    constexpr bool isBall = std::is_same_v<Shape, fcl::Sphered>;
+    constexpr bool IS_BALL = std::is_same_v<Shape, fcl::Sphered>;
 
     /** \brief Whether the depth of an overlap is known, in closed form. */
     template <typename A, typename B>
-    constexpr bool depthIsKnown = (isBall<A> && ShapeTraits<B>::hasSignedDistance) ||
-                                  (isBall<B> && ShapeTraits<A>::hasSignedDistance);
+    constexpr bool DEPTH_IS_KNOWN = (IS_BALL<A> && ShapeTraits<B>::HAS_SIGNED_DISTANCE) ||
+                                    (IS_BALL<B> && ShapeTraits<A>::HAS_SIGNED_DISTANCE);
 
     /** \brief In closed form: a ball meets a shape where that is nearest to its centre. Where they overlap, both bounds
         are minus the depth. */
@@ -75,11 +75,11 @@ namespace ompl_mfa::collision
     ConvexSeparation separateShapes(const A &a, const fcl::Transform3d &poseA, const B &b,
                                     const fcl::Transform3d &poseB, bool decideOnly)
     {
-        if constexpr (isBall<A> && ShapeTraits<B>::hasSignedDistance)
+        if constexpr (IS_BALL<A> && ShapeTraits<B>::HAS_SIGNED_DISTANCE)
         {
             return separateBall(a, poseA, b, poseB);
         }
-        else if constexpr (isBall<B> && ShapeTraits<A>::hasSignedDistance)
+        else if constexpr (IS_BALL<B> && ShapeTraits<A>::HAS_SIGNED_DISTANCE)
         {
             ConvexSeparation result = separateBall(b, poseB, a, poseA);
             result.normal = -result.normal;

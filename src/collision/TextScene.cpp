@@ -112,8 +112,8 @@ namespace ompl_mfa::collision
             {
                 std::string rest;
                 std::getline(words_, rest);
-                const std::size_t first = rest.find_first_not_of(blanks_);
-                return first == std::string::npos ? "" : rest.substr(first, rest.find_last_not_of(blanks_) + 1 - first);
+                const std::size_t first = rest.find_first_not_of(BLANKS);
+                return first == std::string::npos ? "" : rest.substr(first, rest.find_last_not_of(BLANKS) + 1 - first);
             }
 
             // How many words the next line has that is not blank.
@@ -136,7 +136,7 @@ namespace ompl_mfa::collision
                 const std::string text = word();
                 double value = 0.;
                 // A number that is not finite compares with nothing.
-                if (!readNumber(text, value) || !(std::abs(value) <= largestCoordinate))
+                if (!readNumber(text, value) || !(std::abs(value) <= LARGEST_COORDINATE))
                 {
                     fail(what + " = " + text + ": must be a finite number of at most 1e30");
                 }
@@ -180,7 +180,7 @@ namespace ompl_mfa::collision
                 }
             }
 
-            static constexpr const char *blanks_ = " \t\r\v\f";
+            static constexpr const char *BLANKS = " \t\r\v\f";
 
             std::string file_;
             std::vector<std::string> lines_;
@@ -196,7 +196,7 @@ namespace ompl_mfa::collision
         };
 
         // The radius comes before the height here, unlike in messages.
-        const std::array<TextPrimitive, 4> primitives{
+        const std::array<TextPrimitive, 4> PRIMITIVES{
             {{"box", {0, 1, 2}}, {"sphere", {0}}, {"cylinder", {1, 0}}, {"cone", {1, 0}}}};
 
         class TextSceneReader
@@ -280,7 +280,7 @@ namespace ompl_mfa::collision
 
             std::shared_ptr<fcl::CollisionGeometryd> readPrimitive(const std::string &type)
             {
-                for (const TextPrimitive &primitive : primitives)
+                for (const TextPrimitive &primitive : PRIMITIVES)
                 {
                     if (type != primitive.name)
                     {

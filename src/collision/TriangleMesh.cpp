@@ -107,7 +107,7 @@ namespace ompl_mfa::collision
             {
                 throw InputError(file + ": mesh has a vertex with a coordinate that is not a finite number");
             }
-            if (vertex.cwiseAbs().maxCoeff() > largestCoordinate)
+            if (vertex.cwiseAbs().maxCoeff() > LARGEST_COORDINATE)
             {
                 throw InputError(file +
                                  ": mesh has a vertex with a coordinate beyond 1e30, of which distances overflow");

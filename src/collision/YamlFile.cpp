@@ -186,7 +186,7 @@ namespace ompl_mfa::collision
         {
             fail(node, key + (node.IsScalar() ? " = " + node.Scalar() : "") + ": must be a finite number");
         }
-        if (std::abs(value) > largestCoordinate)
+        if (std::abs(value) > LARGEST_COORDINATE)
         {
             fail(node, key + " = " + node.Scalar() + ": must not exceed 1e30, of which distances overflow");
         }

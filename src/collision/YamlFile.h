@@ -91,7 +91,7 @@ namespace ompl_mfa::collision
         /** \brief The text under a key; empty where there is no value. */
         std::string text(const YAML::Node &map, const std::string &key) const;
 
-        /** \brief A finite number of at most largestCoordinate. */
+        /** \brief A finite number of at most LARGEST_COORDINATE. */
         double number(const YAML::Node &node, const std::string &key) const;
 
         /** \brief Numbers as a list, or as a map of the components. */

@@ -49,7 +49,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        constexpr double unlimited = std::numeric_limits<double>::infinity();
+        constexpr double UNLIMITED = std::numeric_limits<double>::infinity();
 
         std::shared_ptr<const Scene> share(Scene scene)
         {
@@ -75,7 +75,7 @@ namespace ompl_mfa::collision
                     axes.emplace_back(poseA.linear().col(i).cross(poseB.linear().col(j)));
                 }
             }
-            double best = -unlimited;
+            double best = -UNLIMITED;
             for (const fcl::Vector3d &axis : axes)
             {
                 if (axis.norm() > 1e-9)
@@ -108,13 +108,13 @@ namespace ompl_mfa::collision
                 for (int i = 0; i < 5000; ++i)
                 {
                     const fcl::Transform3d pose = random.pose(10.);
-                    double expected = unlimited;
+                    double expected = UNLIMITED;
                     for (const auto &[centre, size] : balls)
                     {
                         expected = std::min(expected, (pose.translation() - centre).norm() - size - radius);
                     }
                     EXPECT_EQ(query.collides(&pose), expected <= 0.);
-                    EXPECT_NEAR(query.distance(&pose, unlimited), expected, 1e-12);
+                    EXPECT_NEAR(query.distance(&pose, UNLIMITED), expected, 1e-12);
                     hits += expected <= 0. ? 1 : 0;
                 }
                 EXPECT_GT(hits, 50);
@@ -138,7 +138,7 @@ namespace ompl_mfa::collision
             for (int i = 0; i < 20000; ++i)
             {
                 const fcl::Transform3d pose = random.pose(8.);
-                double expected = unlimited;
+                double expected = UNLIMITED;
                 for (const auto &[size, place] : boxes)
                 {
                     expected = std::min(expected, separatingAxes(size, place, side, pose));
@@ -173,19 +173,19 @@ namespace ompl_mfa::collision
                 const fcl::Vector3d centre = random.point(1.);
                 const fcl::Transform3d pose = place * Eigen::Translation3d(centre);
                 const double inside = (0.5 * side - centre.cwiseAbs()).minCoeff();
-                EXPECT_NEAR(inBox.distance(&pose, unlimited), -inside - radius, 1e-12);
+                EXPECT_NEAR(inBox.distance(&pose, UNLIMITED), -inside - radius, 1e-12);
                 const double radial = centre.head<2>().norm();
-                EXPECT_NEAR(inCylinder.distance(&pose, unlimited),
+                EXPECT_NEAR(inCylinder.distance(&pose, UNLIMITED),
                             radial - radius - std::min(1., radial + 2. - std::abs(centre.z())), 1e-12);
-                EXPECT_GE(inCone.distance(&pose, unlimited), 0.);
-                EXPECT_NEAR(inCapsule.distance(&pose, unlimited), radial - radius - 1., 1e-12);
+                EXPECT_GE(inCone.distance(&pose, UNLIMITED), 0.);
+                EXPECT_NEAR(inCapsule.distance(&pose, UNLIMITED), radial - radius - 1., 1e-12);
             }
         }
 
         double triangleDistance(const MeshGeometry &a, const fcl::Transform3d &poseA, const MeshGeometry &b,
                                 const fcl::Transform3d &poseB)
         {
-            double smallest = unlimited;
+            double smallest = UNLIMITED;
             for (int i = 0; i < a.num_tris; ++i)
             {
                 for (int j = 0; j < b.num_tris; ++j)
@@ -244,21 +244,21 @@ namespace ompl_mfa::collision
                 {
                     const fcl::Transform3d pose = random.pose(4.);
                     const bool collides = amongBoxes.collides(&pose);
-                    const double distance = amongBoxes.distance(&pose, unlimited);
+                    const double distance = amongBoxes.distance(&pose, UNLIMITED);
                     EXPECT_EQ(collides, distance <= 0.);
                     EXPECT_EQ(inMap.collides(&pose), collides);
-                    EXPECT_NEAR(inMap.distance(&pose, unlimited), std::max(0., distance), 1e-9);
+                    EXPECT_NEAR(inMap.distance(&pose, UNLIMITED), std::max(0., distance), 1e-9);
                     hits += collides ? 1 : 0;
                     if (!collides)
                     {
                         // Of a solid and a surface in it the surface touches nothing.
                         EXPECT_FALSE(amongMeshes.collides(&pose));
-                        EXPECT_NEAR(amongMeshes.distance(&pose, unlimited), distance, 1e-9);
+                        EXPECT_NEAR(amongMeshes.distance(&pose, UNLIMITED), distance, 1e-9);
                     }
                     else if (!isMesh)
                     {
                         EXPECT_TRUE(amongMeshes.collides(&pose));
-                        EXPECT_EQ(amongMeshes.distance(&pose, unlimited), 0.);
+                        EXPECT_EQ(amongMeshes.distance(&pose, UNLIMITED), 0.);
                     }
                 }
                 EXPECT_GT(hits, 5);
@@ -278,7 +278,7 @@ namespace ompl_mfa::collision
                 const fcl::Transform3d pose = random.pose(3.);
                 const double expected = triangleDistance(*mesh, scene.objects()[0].pose, *robot, pose);
                 EXPECT_EQ(query.collides(&pose), expected <= 0.);
-                EXPECT_NEAR(query.distance(&pose, unlimited), expected, 1e-9);
+                EXPECT_NEAR(query.distance(&pose, UNLIMITED), expected, 1e-9);
                 EXPECT_NEAR(query.distance(&pose, 0.5), std::min(0.5, expected), 1e-9);
             }
         }
@@ -318,10 +318,10 @@ namespace ompl_mfa::collision
                         {
                             fcl::Transform3d pose = random.pose(1.5);
                             const bool collides = query.collides(&pose);
-                            const double distance = query.distance(&pose, unlimited);
+                            const double distance = query.distance(&pose, UNLIMITED);
                             pose.translation() *= scale;
                             EXPECT_EQ(scaledQuery.collides(&pose), collides) << scale << ' ' << i << ' ' << j;
-                            EXPECT_NEAR(scaledQuery.distance(&pose, unlimited), scale * distance, 1e-7 * scale)
+                            EXPECT_NEAR(scaledQuery.distance(&pose, UNLIMITED), scale * distance, 1e-7 * scale)
                                 << scale << ' ' << i << ' ' << j;
                         }
                     }
@@ -352,7 +352,7 @@ namespace ompl_mfa::collision
                 const double toPoint = (p - fcl::Vector3d(0., 0., 3.)).norm();
                 const double expected = std::min(toSegment, toPoint) - radius;
                 EXPECT_EQ(ball.collides(&pose), expected <= 0.);
-                EXPECT_NEAR(ball.distance(&pose, unlimited), std::max(0., expected), 1e-9);
+                EXPECT_NEAR(ball.distance(&pose, UNLIMITED), std::max(0., expected), 1e-9);
                 hits += expected <= 0. ? 1 : 0;
                 // The segment, and the point, to a box along the axes.
                 const double aside = std::max(0., std::abs(p.x()) - 1.5);
@@ -361,11 +361,11 @@ namespace ompl_mfa::collision
                 const fcl::Vector3d q = (p - fcl::Vector3d(0., 0., 3.)).cwiseAbs() - fcl::Vector3d::Constant(0.5);
                 const double toBox = std::min(std::hypot(aside, across), q.cwiseMax(0.).norm());
                 EXPECT_EQ(box.collides(&pose), toBox <= 0.);
-                EXPECT_NEAR(box.distance(&pose, unlimited), toBox, 1e-9);
+                EXPECT_NEAR(box.distance(&pose, UNLIMITED), toBox, 1e-9);
                 if (toBox > 0.)
                 {
                     EXPECT_FALSE(mesh.collides(&pose));
-                    EXPECT_NEAR(mesh.distance(&pose, unlimited), toBox, 1e-9);
+                    EXPECT_NEAR(mesh.distance(&pose, UNLIMITED), toBox, 1e-9);
                 }
             }
             EXPECT_GT(hits, 10);
@@ -393,10 +393,10 @@ namespace ompl_mfa::collision
             std::vector<fcl::Transform3d> poses(2, fcl::Transform3d::Identity());
             poses[1].translation().x() = 3.5;
             EXPECT_FALSE(query.collides(poses.data()));
-            EXPECT_NEAR(query.distance(poses.data(), unlimited), 0.5, 1e-12);
+            EXPECT_NEAR(query.distance(poses.data(), UNLIMITED), 0.5, 1e-12);
             poses[1].translation().x() = 2.5;
             EXPECT_TRUE(query.collides(poses.data()));
-            EXPECT_NEAR(query.distance(poses.data(), unlimited), -0.5, 1e-12);
+            EXPECT_NEAR(query.distance(poses.data(), UNLIMITED), -0.5, 1e-12);
         }
 
         TEST(CollisionQuery, NothingToHitIsInfinitelyFar)
@@ -404,7 +404,7 @@ namespace ompl_mfa::collision
             const CollisionQuery query(share(Scene()), {RigidBody::sphere(1.)});
             const fcl::Transform3d pose = fcl::Transform3d::Identity();
             EXPECT_FALSE(query.collides(&pose));
-            EXPECT_EQ(query.distance(&pose, unlimited), unlimited);
+            EXPECT_EQ(query.distance(&pose, UNLIMITED), UNLIMITED);
             const BodyMotion motion;
             EXPECT_EQ(query.advance(&motion, 1e-6, true), 1.);
             EXPECT_THROW(CollisionQuery(nullptr, {RigidBody::sphere(1.)}), std::invalid_argument);
@@ -425,12 +425,12 @@ namespace ompl_mfa::collision
                 const CollisionQuery solids(room, {bodyOf(robot)}, MeshInterior::Solid);
                 fcl::Transform3d pose = fcl::Transform3d::Identity();
                 EXPECT_FALSE(surfaces.collides(&pose));
-                EXPECT_NEAR(surfaces.distance(&pose, unlimited), 5. - 0.5 * (robot->aabb_radius > 0. ? 1. : 0.), 1e-9);
+                EXPECT_NEAR(surfaces.distance(&pose, UNLIMITED), 5. - 0.5 * (robot->aabb_radius > 0. ? 1. : 0.), 1e-9);
                 EXPECT_TRUE(solids.collides(&pose));
-                EXPECT_EQ(solids.distance(&pose, unlimited), 0.);
+                EXPECT_EQ(solids.distance(&pose, UNLIMITED), 0.);
                 pose.translation().x() = 8.;
                 EXPECT_FALSE(solids.collides(&pose));
-                EXPECT_GT(solids.distance(&pose, unlimited), 2.);
+                EXPECT_GT(solids.distance(&pose, UNLIMITED), 2.);
             }
         }
 

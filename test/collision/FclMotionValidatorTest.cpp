@@ -107,7 +107,7 @@ namespace ompl_mfa::collision
             return state;
         }
 
-        constexpr double thin = 1e-6;
+        constexpr double THIN = 1e-6;
 
         // The square of side 40 across x = 0, as two triangles.
         std::shared_ptr<fcl::CollisionGeometryd> sheet()
@@ -130,8 +130,8 @@ namespace ompl_mfa::collision
         TEST(FclMotionValidator, NeverCrossesAThinWall)
         {
             const std::vector<ThinWall> walls{
-                {"box, box", std::make_shared<fcl::Boxd>(thin, 40., 40.), RigidBody::box(0.3, 0.2, 0.1), 100000},
-                {"box, mesh", std::make_shared<fcl::Boxd>(thin, 40., 40.),
+                {"box, box", std::make_shared<fcl::Boxd>(THIN, 40., 40.), RigidBody::box(0.3, 0.2, 0.1), 100000},
+                {"box, mesh", std::make_shared<fcl::Boxd>(THIN, 40., 40.),
                  RigidBody({{makeMeshGeometry(boxMesh({0.3, 0.2, 0.1}))}}), 10000},
                 {"mesh, box", sheet(), RigidBody::box(0.3, 0.2, 0.1), 10000},
                 {"mesh, mesh", sheet(), RigidBody({{makeMeshGeometry(boxMesh({0.3, 0.2, 0.1}))}}), 10000},
@@ -166,7 +166,7 @@ namespace ompl_mfa::collision
         TEST(FclMotionValidator, RefusesNoFreeMotion)
         {
             const double radius = 0.4;
-            const Setting setting(plane(10.), single(std::make_shared<fcl::Boxd>(thin, 100., 2.)),
+            const Setting setting(plane(10.), single(std::make_shared<fcl::Boxd>(THIN, 100., 2.)),
                                   {RigidBody::sphere(radius)});
             Random random(2);
             for (int i = 0; i < 20000; ++i)
@@ -229,7 +229,7 @@ namespace ompl_mfa::collision
                     rod = makeMeshGeometry(boxMesh(rodSide));
                 }
                 const RigidBody robot({{rod, outward}});
-                const auto post = std::make_shared<fcl::Boxd>(thin, thin, 1.);
+                const auto post = std::make_shared<fcl::Boxd>(THIN, THIN, 1.);
                 const Setting setting(rigid<ob::SE2StateSpace>(2, 10.), single(post, {0., 4., 0.}), {robot});
                 const auto from = at(setting, {0., 0., 0.});
                 const auto to = at(setting, {0., 0., 3.});
@@ -245,7 +245,7 @@ namespace ompl_mfa::collision
         TEST(FclMotionValidator, FillsLastValid)
         {
             const std::vector<std::shared_ptr<fcl::CollisionGeometryd>> walls{
-                std::make_shared<fcl::Boxd>(thin, 40., 40.), sheet()};
+                std::make_shared<fcl::Boxd>(THIN, 40., 40.), sheet()};
             for (const auto &wall : walls)
             {
                 const Setting setting(plane(10.), single(wall), {RigidBody::sphere(0.5)});
@@ -342,10 +342,10 @@ namespace ompl_mfa::collision
         bool someStateCollides(const OmplAppWorld &world, const ob::ScopedState<> &from, const ob::ScopedState<> &to)
         {
             ob::ScopedState<> between(from);
-            constexpr int states = 1000;
-            for (int i = 1; i < states; ++i)
+            constexpr int STATES = 1000;
+            for (int i = 1; i < STATES; ++i)
             {
-                world.si()->getStateSpace()->interpolate(from.get(), to.get(), double(i) / states, between.get());
+                world.si()->getStateSpace()->interpolate(from.get(), to.get(), double(i) / STATES, between.get());
                 world.si()->enforceBounds(between.get());
                 if (!world.checker()->isValid(between.get()))
                 {

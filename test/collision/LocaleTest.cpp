@@ -45,7 +45,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        const std::string scene = R"(world:
+        const std::string SCENE = R"(world:
   collision_objects:
     - id: box
       primitives: [{type: CYLINDER, dimensions: [1.5, 0.25]}]
@@ -54,7 +54,7 @@ namespace ompl_mfa::collision
       meshes: [{vertices: [[0.5, 0, 0], [1.5, 0.5, 0], [0, 0, 2.75]], triangles: [[0, 1, 2]], scale: 0.5}]
 )";
 
-        const std::string amf = R"(<?xml version="1.0"?>
+        const std::string AMF = R"(<?xml version="1.0"?>
 <amf unit="meter"><object id="0"><mesh><vertices>
 <vertex><coordinates><x>0.5</x><y>0.25</y><z>1234.5</z></coordinates></vertex>
 <vertex><coordinates><x>1.5</x><y>0</y><z>0</z></coordinates></vertex>
@@ -62,7 +62,7 @@ namespace ompl_mfa::collision
 </vertices><volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>
 )";
 
-        const std::string x3d = R"(<?xml version="1.0"?>
+        const std::string X3D = R"(<?xml version="1.0"?>
 <X3D version="3.0"><Scene><Transform translation="0.5 0.25 1.5" scale="1.5 1.5 1.5"><Shape>
 <IndexedFaceSet coordIndex="0 1 2 -1"><Coordinate point="0.5 0.25 0 1234.5 0 0.75 0 1.5 0.125"/></IndexedFaceSet>
 </Shape></Transform></Scene></X3D>
@@ -85,14 +85,14 @@ namespace ompl_mfa::collision
         protected:
             LocaleTest()
             {
-                folder_.write("scene.yaml", scene);
+                folder_.write("scene.yaml", SCENE);
                 folder_.write("text.scene",
                               "name\n* box\n1\nbox\n1.5 0.5 0.25\n1234.5 0.125 0\n0 0 0.6 0.8\n0 0 0 0.5\n.\n");
                 folder_.write("map.bt", map());
                 folder_.write("plain.obj", "v 0.5 0.25 0\nv 1234.5 0 0.75\nv 0 1.5 0.125\nf 1 2 3\n");
                 folder_.write("plain.off", "OFF\n3 1 3\n0.5 0.25 0\n1234.5 0 0.75\n0 1.5 0.125\n3 0 1 2\n");
-                folder_.write("mesh.amf", amf);
-                folder_.write("mesh.x3d", x3d);
+                folder_.write("mesh.amf", AMF);
+                folder_.write("mesh.x3d", X3D);
             }
 
             // Boxes of what every file of the folder holds.

@@ -198,23 +198,23 @@ namespace ompl_mfa::collision
             expectObjectFault("      meshes: [{resource: cube.obj, scale: -1}]\n", ":4", "scale");
         }
 
-        const std::string boxOfOne = "    primitives: [{type: box, dimensions: [1, 1, 1]}]\n";
+        const std::string BOX_OF_ONE = "    primitives: [{type: box, dimensions: [1, 1, 1]}]\n";
 
         // A box of edge 1 named "thing" in a frame, and what stands before the world in the file.
         std::string boxInFrame(const std::string &frame, const std::string &preamble = "")
         {
             return preamble + "world:\n  collision_objects:\n  - id: thing\n    header: {frame_id: '" + frame + "'}\n" +
-                   boxOfOne;
+                   BOX_OF_ONE;
         }
 
-        const std::string baseTransform =
+        const std::string BASE_TRANSFORM =
             "fixed_frame_transforms:\n"
             "  - child_frame_id: base\n"
             "    transform: {translation: [4.5, 0, 0.5], rotation: [0, 0, 1, 1]}\n";
 
         TEST_F(PlanningSceneTest, PlacesObjectsInTheirFrames)
         {
-            const Scene scene = load(boxInFrame("base", baseTransform) +
+            const Scene scene = load(boxInFrame("base", BASE_TRANSFORM) +
                                      "    pose: {position: [1, 0, 0], orientation: [0, 0, 0, 1]}\n");
             EXPECT_TRUE(scene.objects()[0].pose.translation().isApprox(fcl::Vector3d(4.5, 1., 0.5)))
                 << scene.objects()[0].pose.translation().transpose();
@@ -233,7 +233,7 @@ namespace ompl_mfa::collision
                                 "    transform: {translation: [0, 2, 0], rotation: [0, 0, 1, 1]}\n"
                                 "  - header: {frame_id: odom}\n    child_frame_id: odom\n"
                                 "    transform: {translation: [0, 0, 0], rotation: [0, 0, 0, 1]}\n") +
-                     "  - id: other\n    header: {frame_id: /odom}\n" + boxOfOne + "  - id: unnamed\n" + boxOfOne);
+                     "  - id: other\n    header: {frame_id: /odom}\n" + BOX_OF_ONE + "  - id: unnamed\n" + BOX_OF_ONE);
             ASSERT_EQ(scene.objects().size(), 3U);
             EXPECT_TRUE(scene.objects()[0].pose.translation().isApprox(fcl::Vector3d(0., 3., 0.)));
             EXPECT_TRUE(scene.objects()[1].pose.matrix().isIdentity());
@@ -247,9 +247,9 @@ namespace ompl_mfa::collision
                      "    pose: {position: [5, 0, 0]}\n    subframe_names: [top]\n"
                      "    subframe_poses: [{position: [0, 0, 0.5]}]\n"
                      "  - id: lid\n    header: {frame_id: thing/top}\n" +
-                     boxOfOne + "    primitive_poses: [{position: [0, 1, 0]}]\n" +
+                     BOX_OF_ONE + "    primitive_poses: [{position: [0, 1, 0]}]\n" +
                      // A single shape's pose is that of its object where the object has none, as in MoveIt.
-                     "  - id: knob\n    header: {frame_id: lid}\n" + boxOfOne);
+                     "  - id: knob\n    header: {frame_id: lid}\n" + BOX_OF_ONE);
             EXPECT_TRUE(scene.objects()[1].pose.translation().isApprox(fcl::Vector3d(5., 1., 0.5)));
             EXPECT_TRUE(scene.objects()[2].pose.translation().isApprox(fcl::Vector3d(5., 1., 0.5)));
         }
@@ -257,7 +257,7 @@ namespace ompl_mfa::collision
         TEST_F(PlanningSceneTest, RefusesFramesThatNothingPlaces)
         {
             expectFault(boxInFrame("camera"), ":4", "'thing'", "frame 'camera'", "fixed_frame_transforms");
-            expectFault(boxInFrame("camera", baseTransform), ":7", "'thing'", "frame 'camera'", "base");
+            expectFault(boxInFrame("camera", BASE_TRANSFORM), ":7", "'thing'", "frame 'camera'", "base");
             const auto transform = [](const std::string &parent, const std::string &child, const std::string &rest)
             {
                 return "  - header: {frame_id: " + parent + "}\n    child_frame_id: " + child +
@@ -330,9 +330,9 @@ namespace ompl_mfa::collision
                 EXPECT_TRUE(plain.bounds().min_.isZero(1e-9)) << plain.bounds().min_.transpose();
                 EXPECT_TRUE(plain.bounds().max_.isApprox(fcl::Vector3d(4., 0.5, 0.5)));
                 const Scene placed = load(
-                    baseTransform + octomapWorld(octomapData(tree_, binary), binary, "OcTree",
-                                                 "    header: {frame_id: base}\n"
-                                                 "    origin: {position: [0, 0, 1], orientation: [0, 0, 0, 1]}\n"));
+                    BASE_TRANSFORM + octomapWorld(octomapData(tree_, binary), binary, "OcTree",
+                                                  "    header: {frame_id: base}\n"
+                                                  "    origin: {position: [0, 0, 1], orientation: [0, 0, 0, 1]}\n"));
                 EXPECT_TRUE(placed.bounds().min_.isApprox(fcl::Vector3d(4., 0., 1.5)));
                 EXPECT_TRUE(placed.bounds().max_.isApprox(fcl::Vector3d(4.5, 4., 2.)));
             }
@@ -341,12 +341,12 @@ namespace ompl_mfa::collision
         TEST_F(OctomapInSceneTest, StandsBesideObjects)
         {
             const std::string map = octomapWorld(octomapData(tree_, true), true);
-            const Scene scene = load(map + "  collision_objects:\n  - id: thing\n" + boxOfOne);
+            const Scene scene = load(map + "  collision_objects:\n  - id: thing\n" + BOX_OF_ONE);
             EXPECT_EQ(scene.objects().size(), 2U);
             // Free and unknown space is no obstacle, nor is a map that was never filled.
             octomap::OcTree free(0.5);
             free.updateNode(1., 1., 1., false);
-            const std::string objects = "  collision_objects:\n  - id: thing\n" + boxOfOne;
+            const std::string objects = "  collision_objects:\n  - id: thing\n" + BOX_OF_ONE;
             EXPECT_EQ(load(octomapWorld(octomapData(free, true), true) + objects).objects().size(), 1U);
             EXPECT_EQ(load(octomapWorld("[]", false, "''") + objects).objects().size(), 1U);
             expectFault(octomapWorld(octomapData(free, true), true), "no obstacle");
@@ -397,7 +397,7 @@ namespace ompl_mfa::collision
             const std::string world = "world:\n  collision_objects:\n";
             const auto object = [](const std::string &id, const std::string &operation, double x)
             {
-                return "  - id: " + id + "\n    operation: " + operation + "\n" + boxOfOne +
+                return "  - id: " + id + "\n    operation: " + operation + "\n" + BOX_OF_ONE +
                        "    primitive_poses: [{position: [" + std::to_string(x) + ", 0, 0]}]\n";
             };
             const Scene appended = load(world + object("a", "\"\\0\"", 1.) + object("a", "append", 2.));
@@ -528,19 +528,19 @@ is_diff: false
                         "fixed_frame_transforms:\n  - child_frame_id: base\n"
                         "    transform: {translation: [1, 0, 0], rotation: [0, 0, 0, 0]}\n"
                         "world:\n  collision_objects:\n" +
-                        object("a") + object("b") + "  - id: c\n" + boxOfOne);
+                        object("a") + object("b") + "  - id: c\n" + BOX_OF_ONE);
                 });
             EXPECT_EQ(countOf("Warning:", warning), 3U) << warning;
             EXPECT_EQ(countOf("'a'", warning), 1U) << warning;
             EXPECT_EQ(countOf("'b'", warning), 1U) << warning;
             EXPECT_EQ(countOf("'base'", warning), 1U) << warning;
             // A scene that is all there needs no word.
-            EXPECT_EQ(standardErrorOf([&] { load(boxInFrame("base", baseTransform)); }), "");
+            EXPECT_EQ(standardErrorOf([&] { load(boxInFrame("base", BASE_TRANSFORM)); }), "");
         }
 
         TEST_F(PlanningSceneTest, RefusesASecondMessage)
         {
-            const std::string world = "world:\n  collision_objects:\n  - id: thing\n" + boxOfOne;
+            const std::string world = "world:\n  collision_objects:\n  - id: thing\n" + BOX_OF_ONE;
             EXPECT_EQ(load("---\n" + world + "---\n").objects().size(), 1U);
             expectFault(world + "---\n" + world + "---\n", ":6", "2 messages");
         }

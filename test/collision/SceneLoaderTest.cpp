@@ -45,7 +45,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        const std::string sphereScene =
+        const std::string SPHERE_SCENE =
             "world:\n  collision_objects:\n    - id: ball\n      primitives:\n"
             "        - {type: sphere, dimensions: [1]}\n"
             "        - {type: box, dimensions: [1, 1, 1]}\n"
@@ -57,7 +57,7 @@ namespace ompl_mfa::collision
             octomap::OcTree tree(0.5);
             tree.updateNode(1., 1., 1., true);
             tree.writeBinary((folder.path() / "map.bt").string());
-            EXPECT_EQ(loadScene(folder.write("scene.YML", sphereScene)).objects().size(), 2U);
+            EXPECT_EQ(loadScene(folder.write("scene.YML", SPHERE_SCENE)).objects().size(), 2U);
             EXPECT_EQ(loadScene(folder.path() / "map.bt").objects()[0].geometry->getNodeType(), fcl::GEOM_OCTREE);
             const Scene mesh = loadScene(folder.write("cube.obj", cubeObj()));
             EXPECT_EQ(mesh.objects()[0].geometry->getNodeType(), fcl::BV_OBBRSS);
@@ -91,7 +91,7 @@ namespace ompl_mfa::collision
         TEST(SceneLoader, TakesAPlanningSceneAsARobotOfSeveralShapes)
         {
             const TemporaryFolder folder;
-            const RigidBody robot = loadRobot(folder.write("robot.yaml", sphereScene), RobotCentring::VertexMean);
+            const RigidBody robot = loadRobot(folder.write("robot.yaml", SPHERE_SCENE), RobotCentring::VertexMean);
             ASSERT_EQ(robot.shapes().size(), 2U);
             EXPECT_DOUBLE_EQ(robot.radius(), 4.);
             expectInputError([&folder] { loadRobot(folder.path() / "none.dae", RobotCentring::None); }, "none.dae",

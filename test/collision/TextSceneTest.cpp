@@ -65,7 +65,7 @@ namespace ompl_mfa::collision
         };
 
         // As RViz exported scenes before objects had poses.
-        const std::string older =
+        const std::string OLDER =
             "(noname)+\n"
             "* big table\n"
             "2\n"
@@ -83,7 +83,7 @@ namespace ompl_mfa::collision
             ".\n";
 
         // As it exports them since: the pose of the object before its shapes, its subframes behind them.
-        const std::string newer =
+        const std::string NEWER =
             "room\n"
             "* table\n"
             "10 0 0\n0 0 0.70710678 0.70710678\n"
@@ -103,7 +103,7 @@ namespace ompl_mfa::collision
 
         TEST_F(TextSceneTest, ReadsTheOlderFormat)
         {
-            const Scene scene = load(older);
+            const Scene scene = load(OLDER);
             ASSERT_EQ(scene.objects().size(), 3U);
             EXPECT_EQ(scene.objects()[0].id, "big table");
             EXPECT_EQ(scene.objects()[2].id, "post");
@@ -119,7 +119,7 @@ namespace ompl_mfa::collision
 
         TEST_F(TextSceneTest, ReadsTheNewerFormat)
         {
-            const Scene scene = load(newer);
+            const Scene scene = load(NEWER);
             ASSERT_EQ(scene.objects().size(), 2U);
             const auto &cone = static_cast<const fcl::Coned &>(*scene.objects()[0].geometry);
             EXPECT_EQ(cone.radius, 0.5);
@@ -130,9 +130,9 @@ namespace ompl_mfa::collision
 
         TEST_F(TextSceneTest, MayHaveABlankNameAndWindowsLineEnds)
         {
-            const std::string unnamed = newer.substr(newer.find('\n'));
+            const std::string unnamed = NEWER.substr(NEWER.find('\n'));
             EXPECT_EQ(load(unnamed).objects().size(), 2U);
-            std::string windows = newer;
+            std::string windows = NEWER;
             for (std::size_t at = windows.find('\n'); at != std::string::npos; at = windows.find('\n', at + 2))
             {
                 windows.insert(at, "\r");
@@ -143,12 +143,12 @@ namespace ompl_mfa::collision
 
         TEST_F(TextSceneTest, MayBeARobot)
         {
-            EXPECT_EQ(loadRobot(folder_.write("robot.scene", newer), RobotCentring::VertexMean).shapes().size(), 2U);
+            EXPECT_EQ(loadRobot(folder_.write("robot.scene", NEWER), RobotCentring::VertexMean).shapes().size(), 2U);
         }
 
         TEST_F(TextSceneTest, TakesUnsetOrientationsAsIdentityWithAWarning)
         {
-            std::string text = older;
+            std::string text = OLDER;
             text.replace(text.find("0 0 0 1\n0.1"), 7, "0 0 0 0");
             const std::string warning =
                 standardErrorOf([&] { EXPECT_TRUE(load(text).objects()[1].pose.linear().isIdentity()); });
@@ -162,17 +162,17 @@ namespace ompl_mfa::collision
             { return text.replace(text.find(from), from.size(), to); };
             expectFault("", "empty");
             expectFault("room\n.\n", "no obstacle");
-            expectFault(changed(older, "sphere", "plane"), ":9", "'plane'", "mesh");
-            expectFault(changed(older, "sphere", "torus"), ":9", "'torus'", "box");
-            expectFault(changed(older, "0.25", "-1"), ":10", "radius = -1");
-            expectFault(changed(older, "1 2 0.5", "1 two 0.5"), ":5", "two", "number");
-            expectFault(changed(older, "1 2 0.5", "1 0,5 0.5"), ":5", "0,5", "number");
-            expectFault(changed(older, "* post\n1", "* post\n1.5"), ":15", "1.5", "whole number");
-            expectFault(changed(older, "* post", "+ post"), ":14", "'+'");
-            expectFault(changed(newer, "0 2 1", "0 2 4"), ":17", "vertex index 4", "below 4");
-            expectFault(older.substr(0, older.size() - 2), "ends", "'.'");
-            expectFault(older.substr(0, older.find("sphere")), "ends");
-            expectFault(older + "* more\n", ":22", "behind the '.'");
+            expectFault(changed(OLDER, "sphere", "plane"), ":9", "'plane'", "mesh");
+            expectFault(changed(OLDER, "sphere", "torus"), ":9", "'torus'", "box");
+            expectFault(changed(OLDER, "0.25", "-1"), ":10", "radius = -1");
+            expectFault(changed(OLDER, "1 2 0.5", "1 two 0.5"), ":5", "two", "number");
+            expectFault(changed(OLDER, "1 2 0.5", "1 0,5 0.5"), ":5", "0,5", "number");
+            expectFault(changed(OLDER, "* post\n1", "* post\n1.5"), ":15", "1.5", "whole number");
+            expectFault(changed(OLDER, "* post", "+ post"), ":14", "'+'");
+            expectFault(changed(NEWER, "0 2 1", "0 2 4"), ":17", "vertex index 4", "below 4");
+            expectFault(OLDER.substr(0, OLDER.size() - 2), "ends", "'.'");
+            expectFault(OLDER.substr(0, OLDER.find("sphere")), "ends");
+            expectFault(OLDER + "* more\n", ":22", "behind the '.'");
         }
     }  // namespace
 }  // namespace ompl_mfa::collision

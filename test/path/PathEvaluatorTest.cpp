@@ -162,19 +162,19 @@ namespace ompl_mfa::path
 
         TEST_F(PathEvaluatorTest, WithAStrideOneStateInSoManyTellsTheViolation)
         {
-            constexpr unsigned int stride = 20;
+            constexpr unsigned int STRIDE = 20;
             const double resolution = 0.001 * space_->getMaximumExtent();
             const Brightness exact = evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr);
             const unsigned long states = problem_.states;
             problem_.forget();
-            const Brightness coarse = evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr, stride);
-            EXPECT_NEAR(coarse.violation, exact.violation, 2.0 * stride * resolution);
+            const Brightness coarse = evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr, STRIDE);
+            EXPECT_NEAR(coarse.violation, exact.violation, 2.0 * STRIDE * resolution);
             EXPECT_DOUBLE_EQ(coarse.cost, exact.cost);
             EXPECT_LT(problem_.states, states / 10);
             EXPECT_EQ(problem_.motions, 0U);
             // a rival with less violation settles it
             const Brightness rival{0.5, 0.0};
-            EXPECT_EQ(evaluator_.evaluate(path(THROUGH_THE_WALL), &rival, stride).violation, Brightness().violation);
+            EXPECT_EQ(evaluator_.evaluate(path(THROUGH_THE_WALL), &rival, STRIDE).violation, Brightness().violation);
         }
 
         TEST_F(PathEvaluatorTest, WhatOnlyOtherStatesThanThoseOfTheStrideFindInvalidIsInvalid)

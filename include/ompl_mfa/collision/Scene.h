@@ -50,7 +50,7 @@ namespace ompl_mfa::collision
 {
     /** \brief What a file may hold at most as a coordinate or a length. Distances take its eighth power, which has to
         stay finite. */
-    constexpr double largestCoordinate = 1e30;
+    constexpr double LARGEST_COORDINATE = 1e30;
 
     /** \brief One obstacle: a geometry and where it stands in the world. */
     struct CollisionObject

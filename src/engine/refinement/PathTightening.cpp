@@ -183,25 +183,25 @@ namespace ompl_mfa::engine::refinement
         for (const Payoff &payoff : payoffs_)
             sum += payoff.rate();
         double draw = rng_.uniform01();
-        for (std::size_t k = 0; k + 1 < STEP_KINDS; ++k)
+        for (std::size_t k = 0; k + 1 < StepKinds; ++k)
         {
-            const double part = sum > 0.0 ? payoffs_[k].rate() / sum : 1.0 / STEP_KINDS;
-            draw -= PAYOFF_FLOOR + (1.0 - STEP_KINDS * PAYOFF_FLOOR) * part;
+            const double part = sum > 0.0 ? payoffs_[k].rate() / sum : 1.0 / StepKinds;
+            draw -= PAYOFF_FLOOR + (1.0 - StepKinds * PAYOFF_FLOOR) * part;
             if (draw < 0.0)
                 return static_cast<StepKind>(k);
         }
-        return static_cast<StepKind>(STEP_KINDS - 1);
+        return static_cast<StepKind>(StepKinds - 1);
     }
 
     bool PathTightening::makeStep(StepKind kind, std::size_t i)
     {
         switch (kind)
         {
-            case SHORTCUT:
+            case Shortcut:
                 return shortcut();
-            case PULL:
+            case Pull:
                 return pull(i);
-            case PULL_PART:
+            case PullPart:
                 return pullPart(i);
             default:
                 return perturb(i);

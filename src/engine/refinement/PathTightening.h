@@ -111,11 +111,11 @@ namespace ompl_mfa::engine::refinement
         /* The kinds of steps; also their numbers in payoffs_. */
         enum StepKind : std::size_t
         {
-            SHORTCUT,
-            PULL,
-            PULL_PART,
-            PERTURB,
-            STEP_KINDS
+            Shortcut,
+            Pull,
+            PullPart,
+            Perturb,
+            StepKinds
         };
 
         struct Payoff
@@ -165,7 +165,7 @@ namespace ompl_mfa::engine::refinement
         path::Waypoints path_;
         std::vector<ompl::base::Cost> costs_;  ///< of the motions of path_, as many as were computed yet
         double total_{0.0};                    ///< cost of path_ in a round
-        std::array<Payoff, STEP_KINDS> payoffs_{};
+        std::array<Payoff, StepKinds> payoffs_{};
         std::vector<Step> steps_;
         ompl::base::State *a_;
         ompl::base::State *b_;
