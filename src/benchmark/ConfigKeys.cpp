@@ -198,6 +198,22 @@ namespace ompl_mfa
             return index == 0 ? problem.start : problem.goal;
         }
 
+        double &positionOf(ProblemConfig &problem, std::size_t index)
+        {
+            ConfigPose &pose = poseOf(problem, index / 2);
+            return index % 2 == 0 ? pose.x : pose.y;
+        }
+
+        double &heightOf(ProblemConfig &problem, std::size_t index)
+        {
+            return poseOf(problem, index).z;
+        }
+
+        double &angleOf(ProblemConfig &problem, std::size_t index)
+        {
+            return poseOf(problem, index).theta;
+        }
+
         double &axisOf(ProblemConfig &problem, std::size_t index)
         {
             return poseOf(problem, index / 3).axis[index % 3];
@@ -216,7 +232,7 @@ namespace ompl_mfa
                                          " bytes, without / and control characters, not . or ..";
             return {{"name"},
                     accepted,
-                    "the file's name",
+                    "the config's name without its ending",
                     "name of the experiment and of its log",
                     [accepted](ProblemConfig &problem, std::size_t, const ConfigEntry &entry)
                     {
@@ -249,39 +265,28 @@ namespace ompl_mfa
             return {{"objective.weight.length", "objective.weight.mechanical_work", "objective.weight.proximity"},
                     positive().accepted,
                     "not in the sum",
-                    "weight of this term of a weighted sum, which has one at least",
+                    "weight of this term of a weighted sum, which has at least one",
                     [](ProblemConfig &problem, std::size_t index, const ConfigEntry &entry)
                     { problem.objectiveWeights.emplace_back(TERMS[index], positive().read(entry)); }};
         }
 
         void addGeometry(Rows<ProblemConfig> &rows)
         {
-            rows.add(
-                {"start.x", "goal.x"}, finite(),
-                [](ProblemConfig &problem, std::size_t index) -> double & { return poseOf(problem, index).x; },
-                "required", "position of the robot's reference point");
-            rows.add(
-                {"start.y", "goal.y"}, finite(),
-                [](ProblemConfig &problem, std::size_t index) -> double & { return poseOf(problem, index).y; },
-                "required", "position of the robot's reference point");
-            rows.add(
-                {"start.z", "goal.z"}, finite(),
-                [](ProblemConfig &problem, std::size_t index) -> double & { return poseOf(problem, index).z; },
-                "the problem is planar", "position of the robot's reference point");
+            rows.add({"start.x", "start.y", "goal.x", "goal.y"}, finite(), positionOf, "required",
+                     "position of the robot's reference point, see Spaces");
+            rows.add({"start.z", "goal.z"}, finite(), heightOf, "the problem is planar", "its height");
             rows.add({"start.axis.x", "start.axis.y", "start.axis.z", "goal.axis.x", "goal.axis.y", "goal.axis.z"},
                      finite(), axisOf, "the robot does not turn in space",
                      "the axis that theta turns about, of any length");
-            rows.add(
-                {"start.theta", "goal.theta"}, finite(),
-                [](ProblemConfig &problem, std::size_t index) -> double & { return poseOf(problem, index).theta; },
-                "the robot does not turn", "orientation, radians");
+            rows.add({"start.theta", "goal.theta"}, finite(), angleOf, "the robot does not turn",
+                     "orientation, radians");
             rows.add("threshold", number("a number of at least 0", [](double value) { return value >= 0.0; }),
                      &ProblemConfig::threshold, "distance at which a state counts as the goal");
             rows.add({"statespace"},
                      oneOf<StateSpaceKind>({{"dubins", StateSpaceKind::DUBINS},
                                             {"dubinssymmetric", StateSpaceKind::DUBINS_SYMMETRIC},
                                             {"reedsshepp", StateSpaceKind::REEDS_SHEPP}}),
-                     &ProblemConfig::space, "what the keys of start and goal say", "a car, for x, y, theta");
+                     &ProblemConfig::space, "none", "a car's motions, for x, y, theta");
             rows.add("turningradius", positive(), &ProblemConfig::turningRadius, "turning radius of a car");
             rows.add({"rotation_weight"}, positive(), &ProblemConfig::rotationWeight, "OMPL's: 0.5 and 1",
                      "weight of the rotation in the distance, and so in the path length, of SE(2) and SE(3)");
@@ -297,7 +302,7 @@ namespace ompl_mfa
                                            {"max_min_clearance", ObjectiveKind::MAX_MIN_CLEARANCE},
                                            {"mechanical_work", ObjectiveKind::MECHANICAL_WORK},
                                            {"weighted", ObjectiveKind::WEIGHTED}}),
-                     &ProblemConfig::objective, "none, see below", "what the best path has");
+                     &ProblemConfig::objective, "none, see below", "what the planners optimize");
             rows.add({"objective.threshold"}, finite(), &ProblemConfig::objectiveThreshold,
                      "the objective's own: the best possible", "cost at which an optimizing planner may stop");
             rows.add(weightRow());
@@ -329,10 +334,11 @@ namespace ompl_mfa
                      oneOf<MotionValidation>(
                          {{"discrete", MotionValidation::Discrete}, {"continuous", MotionValidation::Continuous}}),
                      &ProblemConfig::motionValidation, "discrete",
-                     "how motions are checked: at states, as OMPL does, or whole");
+                     "whether motions are checked at states, as OMPL does, or as a whole");
             rows.add("mesh_interior",
                      oneOf<MeshInterior>({{"free", MeshInterior::Free}, {"solid", MeshInterior::Solid}}),
-                     &ProblemConfig::meshInterior, "the inside of a mesh; solid meshes have to be closed");
+                     &ProblemConfig::meshInterior,
+                     "the inside of a mesh, free as in OMPL.app; solid meshes have to be closed");
             return rows.take();
         }();
         return ROWS;
@@ -347,7 +353,7 @@ namespace ompl_mfa
             rows.add({"nr_attempts"}, whole(LARGEST_WHOLE), &ContextConfig::attempts, "the sampler's",
                      "how often the sampler tries to find a state");
             rows.add({"standard_deviation"}, positive(), &ContextConfig::standardDeviation, "the sampler's",
-                     "of the distances in gaussian and bridge_test");
+                     "of the distance between two states, for gaussian and bridge_test");
             rows.add({"nr_improve_attempts"}, whole(LARGEST_WHOLE), &ContextConfig::improveAttempts, "the sampler's",
                      "how often max_clearance tries to find more clearance");
             rows.add({"longest_valid_segment_fraction"},

@@ -123,6 +123,7 @@ namespace
         const auto setup = ProblemFactory(config(PLANAR + VOLUME)).create();
         EXPECT_EQ(setup->getStateSpace()->getName(), "R^2");
         EXPECT_EQ(fractionOf(*setup), 0.01);
+        EXPECT_EQ(setup->getStateSpace()->getValidSegmentCountFactor(), 1u);
         const auto &si = setup->getSpaceInformation();
         EXPECT_TRUE(si->isSetup());
         ob::ScopedState<> state(si);
