@@ -46,6 +46,7 @@
 
 #include "benchmark/ConfigKeys.h"
 #include "benchmark/FileNames.h"
+#include "benchmark/ProblemSpace.h"
 #include "collision/ResourceFolders.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
@@ -322,7 +323,7 @@ namespace ompl_mfa
                 std::optional<ConfigVolume> &volume = config_.problem.volume;
                 std::string missing;
                 unsigned int given = 0;
-                const std::string axes = positionAxes();
+                const std::string axes = std::string("xyz").substr(0, positionDimension(config_.problem.space));
                 for (const char axis : axes)
                 {
                     for (const std::string end : {"volume.min.", "volume.max."})
@@ -352,12 +353,6 @@ namespace ompl_mfa
                         failAt(problem_.at(std::string("volume.max.") + axes[i]),
                                "expected more than problem.volume.min." + std::string(1, axes[i]));
                 }
-            }
-
-            std::string positionAxes() const
-            {
-                const StateSpaceKind space = config_.problem.space;
-                return space == StateSpaceKind::R3 || space == StateSpaceKind::SE3 ? "xyz" : "xy";
             }
 
             void checkObjective() const
