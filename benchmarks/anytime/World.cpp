@@ -85,28 +85,10 @@ namespace ompl_mfa::anytime
         }
     }  // namespace
 
-    CountingChecker::CountingChecker(const ob::SpaceInformationPtr &si, ob::StateValidityCheckerPtr counted)
-      : StateValidityChecker(si)
-      , counted_(std::move(counted))
-    {
-        specs_ = counted_->getSpecs();
-    }
-
-    bool CountingChecker::isValid(const ob::State *state) const
-    {
-        checks_.fetch_add(1, std::memory_order_relaxed);
-        return counted_->isValid(state);
-    }
-
-    double CountingChecker::clearance(const ob::State *state) const
-    {
-        return counted_->clearance(state);
-    }
-
     Problem countChecks(const ob::SpaceInformationPtr &si, const ob::ProblemDefinitionPtr &pdef)
     {
         Problem problem{si, pdef, nullptr};
-        const auto checker = std::make_shared<CountingChecker>(si, si->getStateValidityChecker());
+        const auto checker = std::make_shared<CountingValidityChecker>(si, si->getStateValidityChecker());
         problem.checker = checker;
         si->setStateValidityChecker(checker);
         si->setup();

@@ -37,7 +37,6 @@
 #ifndef OMPL_MFA_BENCHMARKS_ANYTIME_WORLD_
 #define OMPL_MFA_BENCHMARKS_ANYTIME_WORLD_
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -49,36 +48,17 @@
 
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
-#include <ompl/base/StateValidityChecker.h>
+
+#include "path/CountingValidityChecker.h"
 
 namespace ompl_mfa::anytime
 {
-    /** \brief Counts the states that the wrapped checker is asked for. As thread-safe as the wrapped checker. */
-    class CountingChecker : public ompl::base::StateValidityChecker
-    {
-    public:
-        CountingChecker(const ompl::base::SpaceInformationPtr &si, ompl::base::StateValidityCheckerPtr counted);
-
-        bool isValid(const ompl::base::State *state) const override;
-
-        double clearance(const ompl::base::State *state) const override;
-
-        std::uint64_t checks() const
-        {
-            return checks_.load(std::memory_order_relaxed);
-        }
-
-    private:
-        ompl::base::StateValidityCheckerPtr counted_;
-        mutable std::atomic<std::uint64_t> checks_{0};
-    };
-
     /** \brief One start, one goal, a counted validity checker and path length as the objective. */
     struct Problem
     {
         ompl::base::SpaceInformationPtr si;
         ompl::base::ProblemDefinitionPtr pdef;
-        std::shared_ptr<const CountingChecker> checker;
+        std::shared_ptr<const CountingValidityChecker> checker;
     };
 
     /** \brief A problem that is made anew, and always alike, in the process of each run. */

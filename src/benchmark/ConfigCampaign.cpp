@@ -40,7 +40,6 @@
 #include <sstream>
 
 #include "benchmark/FileNames.h"
-#include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
@@ -63,13 +62,9 @@ namespace ompl_mfa
             {
                 identity += fileText(findResource(config, *config.problem.world));
             }
-            try
+            if (config.problem.robotKind == RobotKind::FILE)
             {
                 identity += fileText(findResource(config, config.problem.robot));
-            }
-            catch (const InputError &)
-            {
-                // A point, a disc or a sphere: not a file.
             }
             return identity;
         }

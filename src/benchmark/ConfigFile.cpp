@@ -38,91 +38,26 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <boost/algorithm/string.hpp>
 
+#include "benchmark/ConfigKeys.h"
 #include "benchmark/FileNames.h"
+#include "benchmark/ProblemSpace.h"
 #include "collision/ResourceFolders.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
+#include "text/NearestName.h"
 
 namespace ompl_mfa
 {
     namespace
     {
         using Section = std::map<std::string, ConfigEntry>;
-
-        const std::vector<std::string> PROBLEM_KEYS = {"name",
-                                                       "world",
-                                                       "robot",
-                                                       "robot.radius",
-                                                       "statespace",
-                                                       "turningradius",
-                                                       "rotation_weight",
-                                                       "start.x",
-                                                       "start.y",
-                                                       "start.z",
-                                                       "start.axis.x",
-                                                       "start.axis.y",
-                                                       "start.axis.z",
-                                                       "start.theta",
-                                                       "goal.x",
-                                                       "goal.y",
-                                                       "goal.z",
-                                                       "goal.axis.x",
-                                                       "goal.axis.y",
-                                                       "goal.axis.z",
-                                                       "goal.theta",
-                                                       "threshold",
-                                                       "volume.min.x",
-                                                       "volume.min.y",
-                                                       "volume.min.z",
-                                                       "volume.max.x",
-                                                       "volume.max.y",
-                                                       "volume.max.z",
-                                                       "objective",
-                                                       "objective.threshold",
-                                                       "motion_validation",
-                                                       "mesh_interior"};
-
-        const std::vector<std::string> OBJECTIVES = {"length", "max_min_clearance", "mechanical_work", "weighted"};
-
-        const std::vector<std::string> WEIGHTED_OBJECTIVES = {"length", "mechanical_work", "proximity"};
-
-        const std::vector<std::string> CONTEXT_KEYS = {"sampler",
-                                                       "longest_valid_segment_fraction",
-                                                       "valid_segment_count_factor",
-                                                       "projection.cellsize_factor",
-                                                       "projection.cellsize.0",
-                                                       "projection.cellsize.1",
-                                                       "projection.cellsize.2",
-                                                       "nr_attempts",
-                                                       "standard_deviation",
-                                                       "nr_improve_attempts"};
-
-        const std::vector<std::string> BENCHMARK_KEYS = {"time_limit", "mem_limit",         "run_count",
-                                                         "output",     "save_paths",        "simplify",
-                                                         "seed",       "progress_interval", "iteration_limit"};
-
-        const std::string WEIGHT_PREFIX = "objective.weight.";
-
-        bool contains(const std::vector<std::string> &names, const std::string &name)
-        {
-            return std::find(names.begin(), names.end(), name) != names.end();
-        }
-
-        std::vector<std::string> problemKeys()
-        {
-            std::vector<std::string> keys = PROBLEM_KEYS;
-            for (const auto &name : WEIGHTED_OBJECTIVES)
-                keys.push_back(WEIGHT_PREFIX + name);
-            keys.insert(keys.end(), CONTEXT_KEYS.begin(), CONTEXT_KEYS.end());
-            return keys;
-        }
 
         const ConfigEntry *find(const Section &section, const std::string &key)
         {
@@ -135,12 +70,6 @@ namespace ompl_mfa
             const auto [place, inserted] = section.emplace(key, entry);
             if (!inserted)
                 failAt(entry, "the key is already set at " + place->second.origin);
-        }
-
-        double realOr(const Section &section, const std::string &key, double fallback)
-        {
-            const ConfigEntry *entry = find(section, key);
-            return entry ? realValue(*entry) : fallback;
         }
 
         /* Reads one file; the members are what its lines said so far. */
@@ -156,10 +85,10 @@ namespace ompl_mfa
             {
                 for (const auto &entry : readConfigLines(in, config_.file.string()))
                     sort(entry);
-                if (!pendingContext_.empty())
-                    failAt(pendingContext_.front(), "no planner follows that this setting could be for");
-                readProblem();
-                readCampaign();
+                if (!pendingSection_.empty())
+                    failAt(pendingSection_.begin()->second, "no planner follows that this setting could be for");
+                checkProblem();
+                checkCampaign();
                 namePlanners();
                 return std::move(config_);
             }
@@ -173,39 +102,36 @@ namespace ompl_mfa
                 if (section == "problem" && !key.empty())
                     sortProblem(key, entry);
                 else if (section == "benchmark" && !key.empty())
-                {
-                    if (!contains(BENCHMARK_KEYS, key))
-                        failAt(entry, "unknown key" + suggestion(key, BENCHMARK_KEYS));
-                    insertOnce(benchmark_, key, entry);
-                }
+                    set(campaignRows(), key, entry, benchmark_, config_.benchmark);
                 else if (section == "planner" && !key.empty())
                     sortPlanner(key, entry);
                 else
                     failAt(entry, "the key belongs to no section; sections are [problem], [benchmark] and [planner]");
             }
 
+            template <typename Config>
+            static void set(const std::vector<ConfigRow<Config>> &rows, const std::string &key,
+                            const ConfigEntry &entry, Section &section, Config &config)
+            {
+                insertOnce(section, key, entry);
+                if (!setValue(rows, key, entry, config))
+                    failAt(entry, "unknown key" + suggestion(key, keysOf(rows)));
+            }
+
             void sortProblem(const std::string &key, const ConfigEntry &entry)
             {
                 if (key == "control")
                     failAt(entry, "control-based problems are not supported; remove the key to plan geometrically");
-                const bool isWeight = boost::starts_with(key, WEIGHT_PREFIX) &&
-                                      contains(WEIGHTED_OBJECTIVES, key.substr(WEIGHT_PREFIX.size()));
-                if (contains(CONTEXT_KEYS, key))
-                {
-                    insertOnce(problem_, key, entry);
-                    config_.problem.context.push_back({key, entry.value, entry.origin});
-                }
-                else if (isWeight || contains(PROBLEM_KEYS, key))
-                {
-                    if (entry.value.empty())
-                        failAt(entry, "the value is missing");
-                    insertOnce(problem_, key, entry);
-                }
-                else
-                    failAt(entry, "unknown key" + suggestion(key, problemKeys()));
-                if (isWeight)
-                    config_.problem.objectiveWeights.emplace_back(key.substr(WEIGHT_PREFIX.size()),
-                                                                  positiveValue(entry));
+                std::vector<std::string> keys = keysOf(problemRows());
+                for (const auto &contextKey : keysOf(contextRows()))
+                    keys.push_back(contextKey);
+                if (std::find(keys.begin(), keys.end(), key) == keys.end())
+                    failAt(entry, "unknown key" + suggestion(key, keys));
+                if (entry.value.empty())
+                    failAt(entry, "the value is missing");
+                insertOnce(problem_, key, entry);
+                if (!setValue(contextRows(), key, entry, config_.problem.context))
+                    setValue(problemRows(), key, entry, config_.problem);
             }
 
             void sortPlanner(const std::string &key, const ConfigEntry &entry)
@@ -214,12 +140,13 @@ namespace ompl_mfa
                 const std::string type = key.substr(0, dot);
                 if (type == "problem" && dot != std::string::npos)
                 {
-                    const ConfigEntry setting{key.substr(dot + 1), entry.value, entry.origin};
-                    if (setting.key == "objective")
+                    const std::string setting = key.substr(dot + 1);
+                    if (setting == "objective")
                         failAt(entry, "all planners share one objective; set problem.objective");
-                    if (!contains(CONTEXT_KEYS, setting.key))
-                        failAt(entry, "unknown key" + suggestion(setting.key, CONTEXT_KEYS));
-                    addOnce(config_.planners.empty() ? pendingContext_ : config_.planners[last_].context, setting);
+                    if (config_.planners.empty())
+                        set(contextRows(), setting, entry, pendingSection_, pendingContext_);
+                    else
+                        set(contextRows(), setting, entry, contexts_[last_], config_.planners[last_].context);
                     return;
                 }
                 requireKnownPlanner(type, entry.origin);
@@ -238,7 +165,8 @@ namespace ompl_mfa
                 PlannerSpec spec;
                 spec.type = type;
                 spec.origin = origin;
-                spec.context.swap(pendingContext_);
+                spec.context = std::exchange(pendingContext_, {});
+                contexts_.push_back(std::exchange(pendingSection_, {}));
                 last_ = config_.planners.size();
                 config_.planners.push_back(spec);
             }
@@ -306,63 +234,27 @@ namespace ompl_mfa
                 }
             }
 
-            void readProblem()
+            void checkProblem()
             {
-                ProblemConfig &problem = config_.problem;
-                const ConfigEntry *name = find(problem_, "name");
-                problem.name = name ? name->value : config_.file.stem().string();
-                if (!isFileName(problem.name))
+                if (!find(problem_, "name"))
                 {
-                    failAt(name ? *name : ConfigEntry{"problem.name", problem.name, config_.file.string()},
-                           "the log has this name; accepted is a file's name of at most 100 bytes, without '/' and "
-                           "control characters, not '.' or '..'");
+                    const ConfigEntry name{"problem.name", config_.file.stem().string(), config_.file.string()};
+                    setValue(problemRows(), "name", name, config_.problem);
                 }
-                if (const ConfigEntry *world = find(problem_, "world"))
-                    problem.world = *world;
-                problem.start = readPose("start");
-                problem.goal = readPose("goal");
-                readSpace();
-                readRobot();
-                readVolume();
-                readObjective();
-                problem.threshold = realOr(problem_, "threshold", problem.threshold);
-                if (problem.threshold < 0.0)
-                    failAt(problem_.at("threshold"), "expected a number of at least 0");
-                readMotionValidation();
-                if (const ConfigEntry *interior = find(problem_, "mesh_interior"))
-                    problem.meshInterior =
-                        static_cast<collision::MeshInterior>(choiceValue(*interior, {"free", "solid"}));
+                checkPose("start", config_.problem.start);
+                checkPose("goal", config_.problem.goal);
+                checkSpace();
+                checkRobot();
+                checkVolume();
+                checkObjective();
             }
 
-            void readMotionValidation()
+            void checkPose(const std::string &which, ConfigPose &pose) const
             {
-                const ConfigEntry *validation = find(problem_, "motion_validation");
-                if (!validation)
-                    return;
-                if (choiceValue(*validation, {"discrete", "continuous"}) == 0)
-                    return;
-                const StateSpaceKind space = config_.problem.space;
-                if (space == StateSpaceKind::DUBINS || space == StateSpaceKind::DUBINS_SYMMETRIC ||
-                    space == StateSpaceKind::REEDS_SHEPP)
-                    failAt(*validation, "the motions of Dubins and Reeds-Shepp cars are curved; expected discrete");
-                config_.problem.motionValidation = collision::MotionValidation::Continuous;
-            }
-
-            ConfigPose readPose(const std::string &which) const
-            {
-                ConfigPose pose;
                 for (const char *key : {".x", ".y"})
                     if (!find(problem_, which + key))
                         throw InputError(config_.file.string() + ": problem." + which + key + " is missing");
                 pose.origin = problem_.at(which + ".x").origin;
-                pose.x = realOr(problem_, which + ".x", 0.0);
-                pose.y = realOr(problem_, which + ".y", 0.0);
-                pose.z = realOr(problem_, which + ".z", 0.0);
-                pose.theta = realOr(problem_, which + ".theta", 0.0);
-                pose.axis[0] = realOr(problem_, which + ".axis.x", 0.0);
-                pose.axis[1] = realOr(problem_, which + ".axis.y", 0.0);
-                pose.axis[2] = realOr(problem_, which + ".axis.z", find(problem_, which + ".axis.x") ? 0.0 : 1.0);
-                return pose;
             }
 
             std::set<std::string> poseKeys(const std::string &which) const
@@ -374,7 +266,7 @@ namespace ompl_mfa
                 return keys;
             }
 
-            void readSpace()
+            void checkSpace()
             {
                 static const std::map<std::set<std::string>, StateSpaceKind> KINDS = {
                     {{"x", "y"}, StateSpaceKind::R2},
@@ -392,171 +284,121 @@ namespace ompl_mfa
                                      "); both are to have x, y (a planar point or disc), x, y, theta (SE2), x, y, z "
                                      "(a point or ball in space) or x, y, z, axis.x, axis.y, axis.z, theta (SE3)");
                 }
-                problem.space = kind->second;
+                const ConfigEntry *car = find(problem_, "statespace");
+                if (car && kind->second != StateSpaceKind::SE2)
+                    failAt(*car, "a car's state is x, y, theta");
+                if (!car)
+                    problem.space = kind->second;
                 if (problem.space == StateSpaceKind::SE3)
                 {
                     for (const ConfigPose *pose : {&problem.start, &problem.goal})
                         if (pose->theta != 0.0 && pose->axis[0] == 0.0 && pose->axis[1] == 0.0 && pose->axis[2] == 0.0)
                             throw InputError(pose->origin + ": the rotation axis is (0, 0, 0); give a direction");
                 }
-                readCurvedSpace();
-                if (const ConfigEntry *weight = find(problem_, "rotation_weight"))
-                {
-                    if (problem.space != StateSpaceKind::SE2 && problem.space != StateSpaceKind::SE3)
-                        failAt(*weight, "only SE2 and SE3 weight their rotation");
-                    problem.rotationWeight = positiveValue(*weight);
-                }
-            }
-
-            void readCurvedSpace()
-            {
-                ProblemConfig &problem = config_.problem;
                 const ConfigEntry *radius = find(problem_, "turningradius");
-                const ConfigEntry *space = find(problem_, "statespace");
-                if (space)
-                {
-                    const StateSpaceKind kinds[] = {StateSpaceKind::DUBINS, StateSpaceKind::DUBINS_SYMMETRIC,
-                                                    StateSpaceKind::REEDS_SHEPP};
-                    const auto kind = kinds[choiceValue(*space, {"dubins", "dubinssymmetric", "reedsshepp"})];
-                    if (problem.space != StateSpaceKind::SE2)
-                        failAt(*space, "a car's state is x, y, theta");
-                    problem.space = kind;
-                }
-                if (radius && !space)
+                if (radius && !car)
                     failAt(*radius, "only 'statespace = dubins', 'dubinssymmetric' or 'reedsshepp' turns on a radius");
-                if (radius)
-                    problem.turningRadius = positiveValue(*radius);
+                const ConfigEntry *weight = find(problem_, "rotation_weight");
+                if (weight && problem.space != StateSpaceKind::SE2 && problem.space != StateSpaceKind::SE3)
+                    failAt(*weight, "only SE2 and SE3 weight their rotation");
             }
 
-            void readRobot()
+            void checkRobot() const
             {
-                ProblemConfig &problem = config_.problem;
+                const RobotKind kind = config_.problem.robotKind;
                 const ConfigEntry *robot = find(problem_, "robot");
                 if (!robot)
                     throw InputError(config_.file.string() +
                                      ": problem.robot is missing; give a mesh or scene file, point, disc or sphere");
-                problem.robot = *robot;
-                const bool isRound = robot->value == "disc" || robot->value == "sphere";
+                const bool isRound = kind == RobotKind::DISC || kind == RobotKind::SPHERE;
                 const ConfigEntry *radius = find(problem_, "robot.radius");
                 if (isRound && !radius)
                     failAt(*robot, "a " + robot->value + " needs problem.robot.radius");
                 if (radius && !isRound)
                     failAt(*radius, "only 'robot = disc' and 'robot = sphere' have a radius");
-                if (radius)
-                    problem.robotRadius = positiveValue(*radius);
             }
 
-            void readVolume()
+            void checkVolume()
             {
-                const bool isSpatial =
-                    config_.problem.space == StateSpaceKind::R3 || config_.problem.space == StateSpaceKind::SE3;
-                const std::string axes = isSpatial ? "xyz" : "xy";
-                ConfigVolume volume;
+                std::optional<ConfigVolume> &volume = config_.problem.volume;
                 std::string missing;
                 unsigned int given = 0;
-                for (std::size_t i = 0; i < axes.size(); ++i)
+                const std::string axes = std::string("xyz").substr(0, positionDimension(config_.problem.space));
+                for (const char axis : axes)
                 {
-                    for (const char *end : {"min", "max"})
+                    for (const std::string end : {"volume.min.", "volume.max."})
                     {
-                        const std::string key = std::string("volume.") + end + "." + axes[i];
-                        const ConfigEntry *entry = find(problem_, key);
+                        const ConfigEntry *entry = find(problem_, end + axis);
                         if (!entry)
                         {
-                            missing += " problem." + key;
+                            missing += " problem." + end + axis;
                             continue;
                         }
-                        (*end == 'm' && end[1] == 'i' ? volume.min : volume.max)[i] = realValue(*entry);
-                        volume.origin = entry->origin;
+                        volume->origin = entry->origin;
                         ++given;
                     }
                 }
                 if (given == 0)
+                {
+                    // the height of a planar problem bounds nothing
+                    volume.reset();
                     return;
+                }
                 if (!missing.empty())
-                    throw InputError(volume.origin + ": the volume is incomplete:" + missing +
+                    throw InputError(volume->origin + ": the volume is incomplete:" + missing +
                                      " missing; give all of it, or nothing to plan in the world's box");
                 for (std::size_t i = 0; i < axes.size(); ++i)
                 {
-                    if (volume.min[i] >= volume.max[i])
+                    if (volume->min[i] >= volume->max[i])
                         failAt(problem_.at(std::string("volume.max.") + axes[i]),
                                "expected more than problem.volume.min." + std::string(1, axes[i]));
                 }
-                config_.problem.volume = volume;
             }
 
-            void readObjective()
+            void checkObjective() const
             {
-                ProblemConfig &problem = config_.problem;
-                const ConfigEntry *objective = find(problem_, "objective");
+                const ProblemConfig &problem = config_.problem;
                 const ConfigEntry *threshold = find(problem_, "objective.threshold");
-                const bool isWeighted = objective && lowerCase(objective->value) == "weighted";
-                if (objective)
-                    problem.objective = {"objective", OBJECTIVES[choiceValue(*objective, OBJECTIVES)],
-                                         objective->origin};
-                if (threshold && !objective)
+                const bool isWeighted = problem.objective == ObjectiveKind::WEIGHTED;
+                if (threshold && !problem.objective)
                     failAt(*threshold, "a threshold needs problem.objective");
-                if (threshold)
-                    problem.objectiveThreshold = realValue(*threshold);
-                if (isWeighted && problem.objectiveWeights.empty())
-                    failAt(*objective, "a weighted objective needs one of problem.objective.weight." +
-                                           boost::algorithm::join(WEIGHTED_OBJECTIVES, ", problem.objective.weight."));
-                if (!isWeighted && !problem.objectiveWeights.empty())
-                    failAt(problem_.at(WEIGHT_PREFIX + problem.objectiveWeights.front().first),
-                           "weights need 'objective = weighted'");
-            }
-
-            void readCampaign()
-            {
-                CampaignConfig &benchmark = config_.benchmark;
-                const auto given = [this](const std::string &key) { return find(benchmark_, key); };
-                if (const ConfigEntry *entry = given("time_limit"))
-                    benchmark.timeLimit = positiveValue(*entry);
-                if (benchmark.timeLimit > LONGEST_TIME_LIMIT)
-                    failAt(benchmark_.at("time_limit"), "expected at most 1e9 (seconds)");
-                if (const ConfigEntry *entry = given("mem_limit"))
-                    benchmark.memoryLimit = positiveValue(*entry);
-                if (const ConfigEntry *entry = given("run_count"))
-                    benchmark.runCount = static_cast<unsigned int>(wholeValue(*entry, 1, 1000000));
-                if (const ConfigEntry *entry = given("output"))
+                if (isWeighted == !problem.objectiveWeights.empty())
+                    return;
+                const std::string prefix = "objective.weight.";
+                std::string keys;
+                for (const auto &key : keysOf(problemRows()))
                 {
-                    benchmark.output =
-                        writtenPath(entry->value, entry->origin + ": " + entry->key + " = " + entry->value);
+                    if (!boost::starts_with(key, prefix))
+                        continue;
+                    keys += (keys.empty() ? "problem." : ", problem.") + key;
+                    if (const ConfigEntry *weight = find(problem_, key))
+                        failAt(*weight, "weights need 'objective = weighted'");
                 }
-                if (const ConfigEntry *entry = given("save_paths"))
-                    benchmark.savePaths = static_cast<SavePaths>(choiceValue(*entry, {"none", "all", "shortest"}));
-                if (const ConfigEntry *entry = given("simplify"))
-                    benchmark.simplify = switchValue(*entry);
-                if (const ConfigEntry *entry = given("seed"))
-                    benchmark.seed = wholeValue(*entry, 1, std::numeric_limits<std::uint32_t>::max());
-                readProgressInterval();
-                if (const ConfigEntry *entry = given("iteration_limit"))
-                    benchmark.iterationLimit = wholeValue(*entry, 1, std::numeric_limits<std::uint32_t>::max());
+                failAt(problem_.at("objective"), "a weighted objective needs one of " + keys);
             }
 
             /* A run keeps its samples, and those of a planner that returns early go on to the time limit. */
-            void readProgressInterval()
+            void checkCampaign()
             {
-                constexpr double SHORTEST = 0.001;
                 constexpr double USUAL_SAMPLES = 1e5;
                 constexpr double MOST_SAMPLES = 1e6;
                 CampaignConfig &benchmark = config_.benchmark;
-                const ConfigEntry *entry = find(benchmark_, "progress_interval");
-                if (!entry)
-                {
+                const ConfigEntry *interval = find(benchmark_, "progress_interval");
+                if (!interval)
                     benchmark.progressInterval =
                         std::max(benchmark.progressInterval, benchmark.timeLimit / USUAL_SAMPLES);
-                    return;
-                }
-                benchmark.progressInterval = positiveValue(*entry);
-                if (benchmark.progressInterval < std::max(SHORTEST, benchmark.timeLimit / MOST_SAMPLES))
-                    failAt(*entry, "expected at least 0.001 (seconds), and a millionth of the time_limit");
+                else if (benchmark.progressInterval < benchmark.timeLimit / MOST_SAMPLES)
+                    failAt(*interval, "expected at least a millionth of the time_limit");
             }
 
             BenchmarkConfig config_;
             Section problem_;
             Section benchmark_;
             /* Context written before the first planner; it is that planner's. */
-            std::vector<ConfigEntry> pendingContext_;
+            ContextConfig pendingContext_;
+            Section pendingSection_;
+            /* The entries of the context of each planner. */
+            std::vector<Section> contexts_;
             /* Index of the planner that the latest line was about; context goes to it. */
             std::size_t last_{0};
         };

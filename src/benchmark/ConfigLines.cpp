@@ -39,14 +39,12 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
-#include <numeric>
 
 #include <boost/algorithm/string.hpp>
 #include <boost/locale/encoding_utf.hpp>
 
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
-#include "text/NearestName.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa
@@ -54,11 +52,6 @@ namespace ompl_mfa
     namespace
     {
         const std::string BYTE_ORDER_MARK = "\xEF\xBB\xBF";
-
-        std::string joined(const std::vector<std::string> &names)
-        {
-            return boost::algorithm::join(names, ", ");
-        }
 
         bool isUtf8(const std::string &text)
         {
@@ -126,14 +119,6 @@ namespace ompl_mfa
         return number;
     }
 
-    double positiveValue(const ConfigEntry &entry)
-    {
-        const double number = realValue(entry);
-        if (number <= 0.0)
-            failAt(entry, "expected a number above 0");
-        return number;
-    }
-
     std::uint_fast64_t wholeValue(const ConfigEntry &entry, std::uint_fast64_t first, std::uint_fast64_t last)
     {
         std::uint_fast64_t number = 0;
@@ -151,7 +136,7 @@ namespace ompl_mfa
     {
         const auto found = std::find(accepted.begin(), accepted.end(), lowerCase(entry.value));
         if (found == accepted.end())
-            failAt(entry, "expected one of " + joined(accepted));
+            failAt(entry, "expected one of " + boost::algorithm::join(accepted, ", "));
         return static_cast<std::size_t>(found - accepted.begin());
     }
 
@@ -163,11 +148,5 @@ namespace ompl_mfa
     void failAt(const ConfigEntry &entry, const std::string &message)
     {
         failAt(entry.origin, entry.key + " = " + entry.value + ": " + message);
-    }
-
-    std::string suggestion(const std::string &name, const std::vector<std::string> &known)
-    {
-        const std::string nearest = nearestName(name, known);
-        return nearest.empty() ? "; known are " + joined(known) : "; did you mean '" + nearest + "'?";
     }
 }  // namespace ompl_mfa

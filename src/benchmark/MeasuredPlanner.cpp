@@ -48,6 +48,7 @@
 #include <ompl/util/String.h>
 
 #include "ompl_mfa/benchmark/RunRecord.h"
+#include "path/CountingValidityChecker.h"
 #include "text/NumberText.h"
 
 namespace ob = ompl::base;
@@ -68,53 +69,15 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    WatchedValidityChecker::WatchedValidityChecker(const ob::SpaceInformationPtr &si,
-                                                   ob::StateValidityCheckerPtr checker, RunState &state)
-      : ob::StateValidityChecker(si)
-      , checker_(std::move(checker))
-      , run_(state)
-    {
-        specs_ = checker_->getSpecs();
-    }
-
-    bool WatchedValidityChecker::isValid(const ob::State *state) const
-    {
-        run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
-        return checker_->isValid(state);
-    }
-
-    bool WatchedValidityChecker::isValid(const ob::State *state, double &distance) const
-    {
-        run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
-        return checker_->isValid(state, distance);
-    }
-
-    bool WatchedValidityChecker::isValid(const ob::State *state, double &distance, ob::State *validState,
-                                         bool &validStateAvailable) const
-    {
-        run_.collisionChecks.fetch_add(1, std::memory_order_relaxed);
-        return checker_->isValid(state, distance, validState, validStateAvailable);
-    }
-
-    double WatchedValidityChecker::clearance(const ob::State *state) const
-    {
-        return checker_->clearance(state);
-    }
-
-    double WatchedValidityChecker::clearance(const ob::State *state, ob::State *validState,
-                                             bool &validStateAvailable) const
-    {
-        return checker_->clearance(state, validState, validStateAvailable);
-    }
-
     MeasuredPlanner::MeasuredPlanner(ob::PlannerPtr planner, RunState &run, const Settings &settings)
       : ob::Planner(planner->getSpaceInformation(), planner->getName())
       , planner_(std::move(planner))
       , run_(run)
       , settings_(settings)
     {
-        params_.include(planner_->params());
         specs_ = planner_->getSpecs();
+        si_->setStateValidityChecker(
+            std::make_shared<CountingValidityChecker>(si_, si_->getStateValidityChecker(), run_.collisionChecks));
     }
 
     std::vector<ProgressSample> MeasuredPlanner::progress() const
@@ -125,6 +88,11 @@ namespace ompl_mfa
     std::vector<std::string> MeasuredPlanner::progressNames() const
     {
         return names_;
+    }
+
+    double MeasuredPlanner::time() const
+    {
+        return time_;
     }
 
     bool MeasuredPlanner::threw() const
@@ -165,6 +133,7 @@ namespace ompl_mfa
         std::thread sampler([this] { sampleUntilSolved(); });
         const auto stopSampling = [this, &sampler]
         {
+            time_ = monotonicSeconds() - run_.solveStart;
             {
                 const std::lock_guard<std::mutex> lock(solvedMutex_);
                 solved_ = true;
@@ -173,12 +142,10 @@ namespace ompl_mfa
             sampler.join();
             run_.phase = RunPhase::FINISHING;
         };
+        ob::PlannerStatus status;
         try
         {
-            const ob::PlannerStatus status = solveLimited(ptc);
-            stopSampling();
-            finishProgress();
-            return status;
+            status = solveLimited(ptc);
         }
         catch (...)
         {
@@ -186,6 +153,13 @@ namespace ompl_mfa
             stopSampling();
             throw;
         }
+        stopSampling();
+        finishProgress();
+        if (settings_.solved)
+        {
+            settings_.solved();
+        }
+        return status;
     }
 
     ob::PlannerStatus MeasuredPlanner::solveLimited(const ob::PlannerTerminationCondition &ptc)
@@ -221,8 +195,8 @@ namespace ompl_mfa
                 return;
             }
             lock.unlock();
-            const bool due = monotonicSeconds() - start >= sampleTime(index);
-            sample(due);
+            const double time = monotonicSeconds() - start;
+            sample(time, time >= sampleTime(index));
             // A machine under load skips samples rather than falling behind.
             while (sampleTime(index) <= monotonicSeconds() - start)
             {
@@ -232,10 +206,10 @@ namespace ompl_mfa
         }
     }
 
-    void MeasuredPlanner::sample(bool keep)
+    void MeasuredPlanner::sample(double time, bool keep)
     {
         ProgressSample sample;
-        sample.time = monotonicSeconds() - run_.solveStart;
+        sample.time = time;
         for (std::size_t i = 0; i < properties_.size(); ++i)
         {
             if (!keep && names_[i] != BEST_COST)
@@ -270,12 +244,11 @@ namespace ompl_mfa
 
     void MeasuredPlanner::finishProgress()
     {
-        sample(true);
+        sample(time_, true);
         const bool exact = pdef_->hasExactSolution();
-        const double end = monotonicSeconds() - run_.solveStart;
         if (exact)
         {
-            run_.firstSolution = std::min(run_.firstSolution.load(), end);
+            run_.firstSolution = std::min(run_.firstSolution.load(), time_);
         }
         if (!publishesCost_)
         {
@@ -303,15 +276,10 @@ namespace ompl_mfa
         }
     }
 
-    void MeasuredPlanner::setProblemDefinition(const ob::ProblemDefinitionPtr &pdef)
-    {
-        ob::Planner::setProblemDefinition(pdef);
-        planner_->setProblemDefinition(pdef);
-    }
-
     void MeasuredPlanner::setup()
     {
         ob::Planner::setup();
+        planner_->setProblemDefinition(pdef_);
         if (!planner_->isSetup())
         {
             planner_->setup();
@@ -319,34 +287,8 @@ namespace ompl_mfa
         params_.include(planner_->params());
     }
 
-    void MeasuredPlanner::clear()
-    {
-        ob::Planner::clear();
-        planner_->clear();
-    }
-
-    void MeasuredPlanner::clearQuery()
-    {
-        planner_->clearQuery();
-    }
-
-    void MeasuredPlanner::checkValidity()
-    {
-        planner_->checkValidity();
-    }
-
     void MeasuredPlanner::getPlannerData(ob::PlannerData &graph) const
     {
         planner_->getPlannerData(graph);
-    }
-
-    void MeasuredPlanner::printProperties(std::ostream &out) const
-    {
-        planner_->printProperties(out);
-    }
-
-    void MeasuredPlanner::printSettings(std::ostream &out) const
-    {
-        planner_->printSettings(out);
     }
 }  // namespace ompl_mfa

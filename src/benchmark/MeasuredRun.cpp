@@ -66,50 +66,36 @@ namespace ompl_mfa
             return objective ? path.cost(objective).value() : path.length();
         }
 
-        void addPathMetrics(const std::string &prefix, const og::SimpleSetup &setup, ot::Benchmark::RunProperties &run)
+        /* What OMPL's Benchmark does not tell of the present path. */
+        ot::Benchmark::RunProperties pathProperties(const std::string &prefix, const og::SimpleSetup &setup)
         {
             const PathMetrics metrics = measurePath(setup.getSolutionPath());
-            run[prefix + "path cost REAL"] = ompl::toString(pathCost(setup));
-            run[prefix + "minimum clearance REAL"] = ompl::toString(metrics.minimumClearance);
-            run[prefix + "resampled smoothness REAL"] = ompl::toString(metrics.smoothness);
-        }
-
-        /* OMPL's Benchmark simplifies before it lets anyone see the path, so this does what it would do, under the same
-           names. */
-        void simplify(og::SimpleSetup &setup, ot::Benchmark::RunProperties &run)
-        {
-            const double start = monotonicSeconds();
-            setup.simplifySolution();
-            run["simplification time REAL"] = ompl::toString(monotonicSeconds() - start);
-            og::PathGeometric &path = setup.getSolutionPath();
-            run["simplified solution length REAL"] = ompl::toString(path.length());
-            run["simplified solution smoothness REAL"] = ompl::toString(path.smoothness());
-            run["simplified solution clearance REAL"] = ompl::toString(path.clearance());
-            run["simplified solution segments INTEGER"] = std::to_string(path.getStateCount() - 1);
-            run["simplified correct solution BOOLEAN"] = std::to_string(path.check());
-            const unsigned int factor = setup.getStateSpace()->getValidSegmentCountFactor();
-            setup.getStateSpace()->setValidSegmentCountFactor(factor * 4);
-            run["simplified correct solution strict BOOLEAN"] = std::to_string(path.check());
-            setup.getStateSpace()->setValidSegmentCountFactor(factor);
+            return {{prefix + "path cost REAL", ompl::toString(pathCost(setup))},
+                    {prefix + "minimum clearance REAL", ompl::toString(metrics.minimumClearance)},
+                    {prefix + "resampled smoothness REAL", ompl::toString(metrics.smoothness)}};
         }
 
         /* An approximate solution ends somewhere else: its length must not enter the same mean as that of a solution.
          */
         void setApartApproximateSolution(ot::Benchmark::RunProperties &run)
         {
-            for (const char *property : {"length REAL", "smoothness REAL", "clearance REAL", "segments INTEGER"})
+            for (const std::string prefix : {"solution ", "simplified solution "})
             {
-                const auto found = run.find(std::string("solution ") + property);
-                if (found != run.end())
+                for (const char *property : {"length REAL", "smoothness REAL", "clearance REAL", "segments INTEGER"})
                 {
-                    run[std::string("approximate solution ") + property] = found->second;
-                    run.erase(found);
+                    auto found = run.extract(prefix + property);
+                    if (found)
+                    {
+                        found.key() = "approximate " + prefix + property;
+                        run.insert(std::move(found));
+                    }
                 }
             }
         }
 
         void addMeasurements(const MeasuredPlanner &planner, const RunState &state, ot::Benchmark::RunProperties &run)
         {
+            run["time REAL"] = ompl::toString(planner.time());
             run["collision checks INTEGER"] = std::to_string(planner.collisionChecks());
             run["motion checks INTEGER"] = std::to_string(planner.motionChecks());
             run["time to first solution REAL"] = ompl::toString(state.firstSolution.load());
@@ -129,7 +115,7 @@ namespace ompl_mfa
             record.pathCost = pathCost(setup);
         }
 
-        void measureSolution(og::SimpleSetup &setup, const RunSettings &settings, RunRecord &record,
+        void measureSolution(const og::SimpleSetup &setup, const RunSettings &settings, RunRecord &record,
                              ot::Benchmark::RunProperties &run)
         {
             if (!setup.haveExactSolutionPath())
@@ -137,11 +123,9 @@ namespace ompl_mfa
                 setApartApproximateSolution(run);
                 return;
             }
-            addPathMetrics("", setup, run);
             if (settings.simplify)
             {
-                simplify(setup, run);
-                addPathMetrics("simplified ", setup, run);
+                run.merge(pathProperties("simplified ", setup));
             }
             if (settings.keepPath)
             {
@@ -151,12 +135,11 @@ namespace ompl_mfa
 
         ot::Benchmark::Request requestOf(const RunSettings &settings)
         {
-            constexpr unsigned int RUNS = 1;
-            constexpr bool DISPLAY_PROGRESS = false;
-            constexpr bool SAVE_CONSOLE = false;
-            constexpr bool SIMPLIFY = false;
-            return {settings.timeLimit, settings.memoryLimit, RUNS,    settings.progressInterval,
-                    DISPLAY_PROGRESS,   SAVE_CONSOLE,         SIMPLIFY};
+            ot::Benchmark::Request request(settings.timeLimit, settings.memoryLimit, 1);
+            request.displayProgress = false;
+            request.saveConsoleOutput = false;
+            request.simplify = settings.simplify;
+            return request;
         }
 
         void takeExperiment(const ot::Benchmark::CompleteExperiment &experiment, bool seeded, RunRecord &record)
@@ -192,19 +175,26 @@ namespace ompl_mfa
         {
             seedPlanner(*inner, seed);
         }
-        si->setStateValidityChecker(std::make_shared<WatchedValidityChecker>(si, si->getStateValidityChecker(), state));
 
         RunRecord record;
         record.seed = seed;
-        const auto planner = std::make_shared<MeasuredPlanner>(
-            inner, state,
-            MeasuredPlanner::Settings{settings.timeLimit, settings.progressInterval, settings.iterationLimit});
+        ot::Benchmark::RunProperties unsimplified;
+        MeasuredPlanner::Settings measuring{settings.timeLimit, settings.progressInterval, settings.iterationLimit, {}};
+        measuring.solved = [&]
+        {
+            if (setup->haveExactSolutionPath())
+            {
+                unsimplified = pathProperties("", *setup);
+            }
+        };
+        const auto planner = std::make_shared<MeasuredPlanner>(inner, state, measuring);
         ot::Benchmark benchmark(*setup, "run");
         benchmark.addPlanner(planner);
         benchmark.setPostRunEvent(
             [&](const ob::PlannerPtr &, ot::Benchmark::RunProperties &run)
             {
                 addMeasurements(*planner, state, run);
+                run.merge(unsimplified);
                 measureSolution(*setup, settings, record, run);
             });
         benchmark.benchmark(requestOf(settings));

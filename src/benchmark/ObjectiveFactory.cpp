@@ -46,24 +46,29 @@ namespace ompl_mfa
     {
         namespace ob = ompl::base;
 
-        ob::OptimizationObjectivePtr makeTerm(const ob::SpaceInformationPtr &si, const std::string &name)
+        ob::OptimizationObjectivePtr makeObjective(const ob::SpaceInformationPtr &si, const ProblemConfig &problem,
+                                                   ObjectiveKind kind)
         {
-            if (name == "max_min_clearance")
-                return std::make_shared<ob::MaximizeMinClearanceObjective>(si);
-            if (name == "mechanical_work")
-                return std::make_shared<ob::MechanicalWorkOptimizationObjective>(si);
-            if (name == "proximity")
-                return std::make_shared<ProximityIntegralObjective>(si);
+            switch (kind)
+            {
+                case ObjectiveKind::LENGTH:
+                    break;
+                case ObjectiveKind::MAX_MIN_CLEARANCE:
+                    return std::make_shared<ob::MaximizeMinClearanceObjective>(si);
+                case ObjectiveKind::MECHANICAL_WORK:
+                    return std::make_shared<ob::MechanicalWorkOptimizationObjective>(si);
+                case ObjectiveKind::PROXIMITY:
+                    return std::make_shared<ProximityIntegralObjective>(si);
+                case ObjectiveKind::WEIGHTED:
+                {
+                    auto sum = std::make_shared<ob::MultiOptimizationObjective>(si);
+                    for (const auto &[term, weight] : problem.objectiveWeights)
+                        sum->addObjective(makeObjective(si, problem, term), weight);
+                    sum->lock();
+                    return sum;
+                }
+            }
             return std::make_shared<ob::PathLengthOptimizationObjective>(si);
-        }
-
-        ob::OptimizationObjectivePtr makeWeighted(const ob::SpaceInformationPtr &si, const ProblemConfig &problem)
-        {
-            auto sum = std::make_shared<ob::MultiOptimizationObjective>(si);
-            for (const auto &[name, weight] : problem.objectiveWeights)
-                sum->addObjective(makeTerm(si, name), weight);
-            sum->lock();
-            return sum;
         }
     }  // namespace
 
@@ -82,9 +87,7 @@ namespace ompl_mfa
     {
         if (!problem.objective)
             return nullptr;
-        const bool isWeighted = problem.objective->value == "weighted";
-        ob::OptimizationObjectivePtr objective =
-            isWeighted ? makeWeighted(si, problem) : makeTerm(si, problem.objective->value);
+        ob::OptimizationObjectivePtr objective = makeObjective(si, problem, *problem.objective);
         if (problem.objectiveThreshold)
             objective->setCostThreshold(ob::Cost(*problem.objectiveThreshold));
         return objective;

@@ -51,6 +51,7 @@
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
 #include "planner/RangedParam.h"
+#include "text/NearestName.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa

@@ -38,10 +38,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <limits>
-
-#include <boost/algorithm/string/predicate.hpp>
 
 #include <ompl/base/samplers/BridgeTestValidStateSampler.h>
 #include <ompl/base/samplers/GaussianValidStateSampler.h>
@@ -50,6 +46,7 @@
 #include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "benchmark/ConfigKeys.h"
 #include "benchmark/NearbyState.h"
 #include "benchmark/ObjectiveFactory.h"
 #include "benchmark/ProblemSpace.h"
@@ -83,8 +80,7 @@ namespace ompl_mfa
         collision::RigidBody loadRobotOf(const BenchmarkConfig &config)
         {
             const ProblemConfig &problem = config.problem;
-            const std::string &robot = problem.robot.value;
-            if (robot == "point" || robot == "disc" || robot == "sphere")
+            if (problem.robotKind != RobotKind::FILE)
                 return collision::RigidBody::sphere(problem.robotRadius);
             const std::filesystem::path file = findResource(config, problem.robot);
             try
@@ -139,99 +135,102 @@ namespace ompl_mfa
                                          : inferredBounds(config, world);
         }
 
-        ob::ValidStateSamplerPtr makeSampler(const ob::SpaceInformation *si, std::size_t kind)
+        template <typename Sampler>
+        std::shared_ptr<Sampler> allocateSampler(const ob::SpaceInformation *si, const ContextConfig &context)
         {
-            switch (kind)
-            {
-                case 0:
-                    return std::make_shared<ob::UniformValidStateSampler>(si);
-                case 1:
-                    return std::make_shared<ob::GaussianValidStateSampler>(si);
-                case 2:
-                    return std::make_shared<ob::ObstacleBasedValidStateSampler>(si);
-                case 3:
-                    return std::make_shared<ob::MaximizeClearanceValidStateSampler>(si);
-                default:
-                    return std::make_shared<ob::BridgeTestValidStateSampler>(si);
-            }
+            auto sampler = std::make_shared<Sampler>(si);
+            if (context.attempts)
+                sampler->setNrAttempts(*context.attempts);
+            return sampler;
         }
 
-        void setContextValue(ob::ParamSet &parameters, const ConfigEntry &entry, const std::string &owner)
+        template <typename Sampler>
+        std::shared_ptr<Sampler> allocateNormalSampler(const ob::SpaceInformation *si, const ContextConfig &context)
         {
-            if (!parameters.hasParam(entry.key))
-            {
-                std::vector<std::string> names;
-                parameters.getParamNames(names);
-                failAt(entry, owner + " has no such setting" + suggestion(entry.key, names));
-            }
-            positiveValue(entry);
-            bool isSet = false;
-            try
-            {
-                isSet = parameters.setParam(entry.key, entry.value);
-            }
-            catch (const std::exception &error)
-            {
-                failAt(entry, error.what());
-            }
-            if (!isSet)
-                failAt(entry, "not accepted by " + owner);
+            auto sampler = allocateSampler<Sampler>(si, context);
+            if (context.standardDeviation)
+                sampler->setStdDev(context.standardDeviation->value);
+            return sampler;
         }
 
-        /* The settings of a problem's space information, sorted by what they configure and when. */
-        struct Context
+        ob::ValidStateSamplerPtr makeSampler(const ob::SpaceInformation *si, const ContextConfig &context)
         {
-            std::vector<ConfigEntry> space;
-            std::vector<ConfigEntry> projection;
-            std::vector<ConfigEntry> sampling;
-            ConfigEntry sampler{"sampler", "uniform", ""};
-        };
-
-        Context sortContext(const std::vector<ConfigEntry> &entries)
-        {
-            Context context;
-            for (const auto &entry : entries)
+            switch (context.sampler.value_or(SamplerKind::UNIFORM))
             {
-                if (entry.key == "sampler")
-                    context.sampler = entry;
-                else if (boost::starts_with(entry.key, "projection."))
-                    context.projection.push_back(entry);
-                else if (boost::contains(entry.key, "valid_segment"))
-                    context.space.push_back(entry);
-                else
-                    context.sampling.push_back(entry);
+                case SamplerKind::UNIFORM:
+                    break;
+                case SamplerKind::GAUSSIAN:
+                    return allocateNormalSampler<ob::GaussianValidStateSampler>(si, context);
+                case SamplerKind::OBSTACLE_BASED:
+                    return allocateSampler<ob::ObstacleBasedValidStateSampler>(si, context);
+                case SamplerKind::MAX_CLEARANCE:
+                {
+                    auto sampler = allocateSampler<ob::MaximizeClearanceValidStateSampler>(si, context);
+                    if (context.improveAttempts)
+                        sampler->setNrImproveAttempts(context.improveAttempts->value);
+                    return sampler;
+                }
+                case SamplerKind::BRIDGE_TEST:
+                    return allocateNormalSampler<ob::BridgeTestValidStateSampler>(si, context);
             }
+            return allocateSampler<ob::UniformValidStateSampler>(si, context);
+        }
+
+        void setSampler(const ob::SpaceInformationPtr &si, const ContextConfig &context)
+        {
+            const SamplerKind kind = context.sampler.value_or(SamplerKind::UNIFORM);
+            const std::string refusal = "the sampler '" + samplerName(kind) + "' has no such setting; ";
+            if (context.standardDeviation && kind != SamplerKind::GAUSSIAN && kind != SamplerKind::BRIDGE_TEST)
+                failAt(context.standardDeviation->entry, refusal + "gaussian and bridge_test have it");
+            if (context.improveAttempts && kind != SamplerKind::MAX_CLEARANCE)
+                failAt(context.improveAttempts->entry, refusal + "max_clearance has it");
+            si->setValidStateSamplerAllocator([context](const ob::SpaceInformation *space)
+                                              { return makeSampler(space, context); });
+        }
+
+        ContextConfig overridden(ContextConfig context, const ContextConfig &overrides)
+        {
+            const auto take = [](auto &value, const auto &other)
+            {
+                if (other)
+                    value = other;
+            };
+            take(context.sampler, overrides.sampler);
+            take(context.attempts, overrides.attempts);
+            take(context.standardDeviation, overrides.standardDeviation);
+            take(context.improveAttempts, overrides.improveAttempts);
+            take(context.longestValidSegmentFraction, overrides.longestValidSegmentFraction);
+            take(context.validSegmentCountFactor, overrides.validSegmentCountFactor);
+            for (std::size_t i = 0; i < context.cellSizes.size(); ++i)
+                take(context.cellSizes[i], overrides.cellSizes[i]);
+            take(context.cellSizeFactor, overrides.cellSizeFactor);
             return context;
         }
 
-        std::vector<ConfigEntry> overridden(std::vector<ConfigEntry> entries, const std::vector<ConfigEntry> &overrides)
+        void setResolution(ob::StateSpace &space, const ContextConfig &context)
         {
-            for (const auto &entry : overrides)
-            {
-                const auto same = std::find_if(entries.begin(), entries.end(),
-                                               [&entry](const ConfigEntry &other) { return other.key == entry.key; });
-                if (same == entries.end())
-                    entries.push_back(entry);
-                else
-                    *same = entry;
-            }
-            return entries;
+            if (context.longestValidSegmentFraction)
+                space.setLongestValidSegmentFraction(*context.longestValidSegmentFraction);
+            if (context.validSegmentCountFactor)
+                space.setValidSegmentCountFactor(*context.validSegmentCountFactor);
         }
 
-        void setSampler(const ob::SpaceInformationPtr &si, const Context &context)
+        void setProjection(const ob::StateSpace &space, const ContextConfig &context)
         {
-            const std::size_t kind =
-                choiceValue(context.sampler, {"uniform", "gaussian", "obstacle_based", "max_clearance", "bridge_test"});
-            const auto allocate =
-                [kind, sampling = context.sampling, name = context.sampler.value](const ob::SpaceInformation *space)
+            const ob::ProjectionEvaluatorPtr projection = space.getDefaultProjection();
+            for (unsigned int i = 0; i < context.cellSizes.size(); ++i)
             {
-                ob::ValidStateSamplerPtr sampler = makeSampler(space, kind);
-                for (const auto &entry : sampling)
-                    setContextValue(sampler->params(), entry, "the sampler '" + name + "'");
-                return sampler;
-            };
-            allocate(si.get());
-            si->setValidStateSamplerAllocator(allocate);
+                const auto &size = context.cellSizes[i];
+                if (size && i >= projection->getDimension())
+                {
+                    failAt(size->entry, "the projection of the space '" + space.getName() + "' has dimensions 0 to " +
+                                            std::to_string(projection->getDimension() - 1));
+                }
+                if (size)
+                    projection->setCellSizes(i, size->value);
+            }
+            if (context.cellSizeFactor)
+                projection->mulCellSizes(*context.cellSizeFactor);
         }
 
         std::shared_ptr<collision::FclStateValidityChecker> makeChecker(
@@ -245,6 +244,20 @@ namespace ompl_mfa
             catch (const InputError &error)
             {
                 failAt(problem.world ? *problem.world : problem.robot, error.what());
+            }
+        }
+
+        void checkCollisions(const ob::SpaceInformationPtr &si, const ProblemConfig &problem,
+                             const std::shared_ptr<const collision::Scene> &world, const collision::RigidBody &robot)
+        {
+            const auto checker = makeChecker(si, problem, world, robot);
+            try
+            {
+                collision::setCollisionChecking(si, checker, problem.motionValidation.value);
+            }
+            catch (const InputError &error)
+            {
+                failAt(problem.motionValidation.entry, error.what());
             }
         }
 
@@ -297,24 +310,22 @@ namespace ompl_mfa
         boundsOf(config_, *world_);
     }
 
-    og::SimpleSetupPtr ProblemFactory::create(const std::vector<ConfigEntry> &plannerContext) const
+    og::SimpleSetupPtr ProblemFactory::create(const ContextConfig &plannerContext) const
     {
         const ProblemConfig &problem = config_.problem;
-        const Context context = sortContext(overridden(problem.context, plannerContext));
+        const ContextConfig context = overridden(problem.context, plannerContext);
         const ob::RealVectorBounds bounds = boundsOf(config_, *world_);
         const ob::StateSpacePtr space = makeStateSpace(problem, bounds);
         space->setName(spaceName(problem.space));
-        for (const auto &entry : context.space)
-            setContextValue(space->params(), entry, "the state space");
+        setResolution(*space, context);
 
         auto setup = std::make_shared<og::SimpleSetup>(space);
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
-        collision::setCollisionChecking(si, makeChecker(si, problem, world_, robot_), problem.motionValidation);
+        checkCollisions(si, problem, world_, robot_);
         if (const auto objective = makeObjective(si, problem))
             setup->setOptimizationObjective(objective);
         si->setup();
-        for (const auto &entry : context.projection)
-            setContextValue(space->params(), entry, "the state space");
+        setProjection(*space, context);
         setSampler(si, context);
         si->setup();
 

@@ -175,19 +175,17 @@ namespace
             planner_ = ompl_mfa::createPlanner(si, spec);
             if (!hasParameter(spec, "seed"))
                 ompl_mfa::seedPlanner(*planner_, options.seed);
-            si->setStateValidityChecker(
-                std::make_shared<ompl_mfa::WatchedValidityChecker>(si, si->getStateValidityChecker(), state_));
             measured_ = std::make_shared<ompl_mfa::MeasuredPlanner>(
-                planner_, state_, ompl_mfa::MeasuredPlanner::Settings{options.time, ONLY_AT_FIRST, options.iterations});
+                planner_, state_,
+                ompl_mfa::MeasuredPlanner::Settings{options.time, ONLY_AT_FIRST, options.iterations, {}});
             setup_->setPlanner(measured_);
         }
 
         Result solve()
         {
             Result result;
-            const ompl::time::point start = ompl::time::now();
             const ob::PlannerStatus status = setup_->solve(options_.time);
-            result.time = ompl::time::seconds(ompl::time::now() - start);
+            result.time = measured_->time();
             result.status = status.asString();
             result.exact = status == ob::PlannerStatus::EXACT_SOLUTION;
             result.timeToFirstSolution = state_.firstSolution.load();

@@ -64,19 +64,6 @@ namespace ompl_mfa::collision
         }
     }  // namespace
 
-    MotionValidation parseMotionValidation(const std::string &name)
-    {
-        if (name == "discrete")
-        {
-            return MotionValidation::Discrete;
-        }
-        if (name == "continuous")
-        {
-            return MotionValidation::Continuous;
-        }
-        throw InputError("motion_validation = " + name + ": must be discrete or continuous");
-    }
-
     FclMotionValidator::FclMotionValidator(const ob::SpaceInformationPtr &si,
                                            std::shared_ptr<const FclStateValidityChecker> checker)
       : ob::MotionValidator(si)
@@ -85,8 +72,8 @@ namespace ompl_mfa::collision
     {
         if (!checker_->placement().interpolatesStraight())
         {
-            throw InputError("motion_validation = continuous: state space '" + si->getStateSpace()->getName() +
-                             "' does not interpolate straight; it must be discrete");
+            throw InputError("the motions of the space '" + si->getStateSpace()->getName() +
+                             "' are curved, and continuous validation is for straight ones; expected discrete");
         }
     }
 

@@ -88,17 +88,23 @@ std::string ompl_mfa::nearestName(const std::string &name, const std::vector<std
     return nearest;
 }
 
+std::string ompl_mfa::suggestion(const std::string &name, const std::vector<std::string> &known)
+{
+    constexpr std::size_t FEW = 10;
+    const std::string nearest = nearestName(name, known);
+    std::string text = nearest.empty() ? ";" : "; did you mean '" + nearest + "'?";
+    if (!nearest.empty() && known.size() > FEW)
+        return text;
+    text += " accepted:";
+    for (std::size_t i = 0; i < known.size(); ++i)
+        text += (i == 0 ? " " : ", ") + known[i];
+    return text;
+}
+
 std::string ompl_mfa::describeUnknown(const std::string &kind, const std::string &name,
                                       const std::vector<std::string> &accepted)
 {
-    std::string message = "unknown " + kind + " '" + name + "'; ";
-    const std::string nearest = nearestName(name, accepted);
-    if (!nearest.empty())
-        message += "did you mean '" + nearest + "'? ";
-    message += "accepted:";
-    for (std::size_t i = 0; i < accepted.size(); ++i)
-        message += (i == 0 ? " " : ", ") + accepted[i];
-    return message;
+    return "unknown " + kind + " '" + name + "'" + suggestion(name, accepted);
 }
 
 void ompl_mfa::requireKnown(const std::string &kind, const std::string &name, const std::vector<std::string> &accepted)

@@ -48,8 +48,11 @@ namespace ompl_mfa
         empty where none is near: within a third of the length of \e name, and at least within one edit. */
     OMPL_MFA_EXPORT std::string nearestName(const std::string &name, const std::vector<std::string> &known);
 
-    /** \brief The one line for a name that does not exist: `unknown function 'sync'; did you mean 'sinc'? accepted:
-        ackley, sinc`. The guess is left out where no accepted name is close. */
+    /** \brief What to say behind a name that is not one of \e known: `; did you mean 'sinc'?` where one is near. All of
+        \e known follow, as `accepted: ackley, sinc`, where they are few or none is near. */
+    OMPL_MFA_EXPORT std::string suggestion(const std::string &name, const std::vector<std::string> &known);
+
+    /** \brief The one line for a name that does not exist: `unknown function 'sync'` and its suggestion(). */
     OMPL_MFA_EXPORT std::string describeUnknown(const std::string &kind, const std::string &name,
                                                 const std::vector<std::string> &accepted);
 

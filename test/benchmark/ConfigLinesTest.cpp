@@ -107,14 +107,6 @@ namespace
                       "a.cfg:3: key = " + std::string(text) + ": expected a finite number");
     }
 
-    TEST(ConfigLines, PositiveValueIsAboveZero)
-    {
-        EXPECT_EQ(ompl_mfa::positiveValue(valued("0.1")), 0.1);
-        EXPECT_EQ(inputErrorOf([] { ompl_mfa::positiveValue(valued("0")); }),
-                  "a.cfg:3: key = 0: expected a number above 0");
-        EXPECT_NE(inputErrorOf([] { ompl_mfa::positiveValue(valued("-1")); }), "");
-    }
-
     TEST(ConfigLines, WholeValueStaysInItsRange)
     {
         EXPECT_EQ(ompl_mfa::wholeValue(valued("4294967295"), 1, 4294967295), 4294967295u);
@@ -131,12 +123,5 @@ namespace
             EXPECT_FALSE(ompl_mfa::switchValue(valued(text))) << text;
         EXPECT_EQ(inputErrorOf([] { ompl_mfa::switchValue(valued("2")); }),
                   "a.cfg:3: key = 2: expected one of 0, 1, false, true, no, yes, off, on");
-    }
-
-    TEST(ConfigLines, SuggestionIsTheNearestNameOrAll)
-    {
-        const std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm", "prmstar"};
-        EXPECT_EQ(ompl_mfa::suggestion("prn", known), "; did you mean 'prm'?");
-        EXPECT_EQ(ompl_mfa::suggestion("zzzzzzzzzzzzzzzz", known), "; known are rrtconnect, rrtstar, prm, prmstar");
     }
 }  // namespace

@@ -37,9 +37,12 @@
 #include "ompl_mfa/benchmark/MeasuredRun.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
+#include <thread>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <ompl/geometric/planners/est/EST.h>
@@ -85,6 +88,31 @@ namespace
         return found == record.properties.end() ? NAN : std::stod(found->second);
     }
 
+    /* Its clearance takes so long that measuring a path takes more than a second. */
+    class SlowClearance : public ob::StateValidityChecker
+    {
+    public:
+        SlowClearance(const ob::SpaceInformationPtr &si, ob::StateValidityCheckerPtr checker)
+          : StateValidityChecker(si)
+          , checker_(std::move(checker))
+        {
+        }
+
+        bool isValid(const ob::State *state) const override
+        {
+            return checker_->isValid(state);
+        }
+
+        double clearance(const ob::State *state) const override
+        {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            return checker_->clearance(state);
+        }
+
+    private:
+        ob::StateValidityCheckerPtr checker_;
+    };
+
     RunSettings shortRun()
     {
         RunSettings settings;
@@ -117,7 +145,10 @@ TEST(MeasuredRun, HasOmplsPropertiesAndItsOwn)
                              "simplification time REAL",
                              "simplified solution length REAL",
                              "simplified solution segments INTEGER",
+                             "simplified solution smoothness REAL",
+                             "simplified solution clearance REAL",
                              "simplified correct solution BOOLEAN",
+                             "simplified correct solution strict BOOLEAN",
                              "graph states INTEGER",
                              "graph motions INTEGER",
                              "path cost REAL",
@@ -272,12 +303,51 @@ TEST(MeasuredRun, KeepsApproximateSolutionsApart)
     const RunRecord record = ompl_mfa::readRunRecord(process.result());
     EXPECT_EQ(number(record, "solved BOOLEAN"), 0.0);
     EXPECT_EQ(record.properties.count("solution length REAL"), 0u);
+    EXPECT_EQ(record.properties.count("simplified solution length REAL"), 0u);
     EXPECT_EQ(record.properties.count("path cost REAL"), 0u);
+    EXPECT_EQ(record.properties.count("simplified path cost REAL"), 0u);
     if (record.properties.count("approximate solution BOOLEAN") != 0 &&
         record.properties.at("approximate solution BOOLEAN") == "1")
     {
         EXPECT_EQ(record.properties.count("approximate solution length REAL"), 1u);
+        EXPECT_EQ(record.properties.count("approximate simplified solution length REAL"), 1u);
     }
+}
+
+TEST(MeasuredRun, SimplifiesOnlyWhereItIsToldTo)
+{
+    RunSettings settings = shortRun();
+    settings.simplify = false;
+    const RunRecord record = run(makePlanner<og::RRTConnect>, settings, 1);
+    EXPECT_EQ(number(record, "solved BOOLEAN"), 1.0);
+    EXPECT_EQ(record.properties.count("path cost REAL"), 1u);
+    for (const auto &property : record.properties)
+    {
+        EXPECT_EQ(property.first.find("simpl"), std::string::npos) << property.first;
+    }
+}
+
+TEST(MeasuredRun, TheTimeIsThePlannersOwn)
+{
+    const auto slowlyMeasured = []
+    {
+        auto setup = planarProblem();
+        const auto &si = setup->getSpaceInformation();
+        setup->setStateValidityChecker(std::make_shared<SlowClearance>(si, si->getStateValidityChecker()));
+        return setup;
+    };
+    RunSettings settings;
+    settings.simplify = false;
+    RunProcess process(
+        [&](RunState &state)
+        { return writeRunRecord(measureRun(slowlyMeasured, makePlanner<og::RRTConnect>, settings, 1, state)); },
+        ompl_mfa::RunLimits());
+    const double start = ompl_mfa::monotonicSeconds();
+    process.wait();
+    EXPECT_GT(ompl_mfa::monotonicSeconds() - start, 1.0) << "the path is measured";
+    const RunRecord record = ompl_mfa::readRunRecord(process.result());
+    EXPECT_EQ(number(record, "solved BOOLEAN"), 1.0);
+    EXPECT_LT(number(record, "time REAL"), 0.8);
 }
 
 TEST(MeasuredRun, AThrowingPlannerIsACrash)

@@ -49,6 +49,7 @@
 namespace
 {
     namespace ob = ompl::base;
+    using ompl_mfa::ObjectiveKind;
     using ompl_mfa::ProblemConfig;
 
     /* Valid everywhere; the clearance is x, and infinite above 5. */
@@ -81,10 +82,10 @@ namespace
             si_->setup();
         }
 
-        ob::OptimizationObjectivePtr make(const std::string &name) const
+        ob::OptimizationObjectivePtr make(ObjectiveKind kind) const
         {
             ProblemConfig problem;
-            problem.objective = ompl_mfa::ConfigEntry{"objective", name, "a.cfg:2"};
+            problem.objective = kind;
             return ompl_mfa::makeObjective(si_, problem);
         }
 
@@ -110,16 +111,18 @@ namespace
 
     TEST_F(ObjectiveFactory, EachNameIsItsOwnObjective)
     {
-        EXPECT_NEAR(cost(make("length"), 1, 1, 4, 5), 5.0, 1e-12);
-        EXPECT_TRUE(std::dynamic_pointer_cast<ob::MaximizeMinClearanceObjective>(make("max_min_clearance")));
-        EXPECT_NEAR(cost(make("mechanical_work"), 1, 1, 4, 5), 5.0 * 1e-5, 1e-9) << "OMPL weighs length by 1e-5";
+        EXPECT_NEAR(cost(make(ObjectiveKind::LENGTH), 1, 1, 4, 5), 5.0, 1e-12);
+        EXPECT_TRUE(
+            std::dynamic_pointer_cast<ob::MaximizeMinClearanceObjective>(make(ObjectiveKind::MAX_MIN_CLEARANCE)));
+        EXPECT_NEAR(cost(make(ObjectiveKind::MECHANICAL_WORK), 1, 1, 4, 5), 5.0 * 1e-5, 1e-9)
+            << "OMPL weighs length by 1e-5";
     }
 
     TEST_F(ObjectiveFactory, ProximityIsTheIntegralOfOneOverOnePlusClearance)
     {
         ProblemConfig problem;
-        problem.objective = ompl_mfa::ConfigEntry{"objective", "weighted", "a.cfg:2"};
-        problem.objectiveWeights = {{"proximity", 1.0}};
+        problem.objective = ObjectiveKind::WEIGHTED;
+        problem.objectiveWeights = {{ObjectiveKind::PROXIMITY, 1.0}};
         const auto objective = ompl_mfa::makeObjective(si_, problem);
         EXPECT_NEAR(cost(objective, 0, 0, 4, 0), std::log(5.0), 5e-3);
         EXPECT_NEAR(cost(objective, 6, 0, 6, 8), 0.0, 1e-12) << "nothing is near where the clearance is infinite";
@@ -128,15 +131,15 @@ namespace
     TEST_F(ObjectiveFactory, WeightsScaleAndAddTheirTerms)
     {
         ProblemConfig problem;
-        problem.objective = ompl_mfa::ConfigEntry{"objective", "weighted", "a.cfg:2"};
-        problem.objectiveWeights = {{"length", 2.0}, {"proximity", 3.0}};
+        problem.objective = ObjectiveKind::WEIGHTED;
+        problem.objectiveWeights = {{ObjectiveKind::LENGTH, 2.0}, {ObjectiveKind::PROXIMITY, 3.0}};
         EXPECT_NEAR(cost(ompl_mfa::makeObjective(si_, problem), 0, 0, 4, 0), 2.0 * 4.0 + 3.0 * std::log(5.0), 1e-2);
     }
 
     TEST_F(ObjectiveFactory, ThresholdIsTheConfigs)
     {
         ProblemConfig problem;
-        problem.objective = ompl_mfa::ConfigEntry{"objective", "length", "a.cfg:2"};
+        problem.objective = ObjectiveKind::LENGTH;
         problem.objectiveThreshold = 7.5;
         EXPECT_EQ(ompl_mfa::makeObjective(si_, problem)->getCostThreshold().value(), 7.5);
     }

@@ -45,6 +45,7 @@
 
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/samplers/GaussianValidStateSampler.h>
+#include <ompl/base/samplers/MaximizeClearanceValidStateSampler.h>
 #include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
@@ -122,6 +123,7 @@ namespace
         const auto setup = ProblemFactory(config(PLANAR + VOLUME)).create();
         EXPECT_EQ(setup->getStateSpace()->getName(), "R^2");
         EXPECT_EQ(fractionOf(*setup), 0.01);
+        EXPECT_EQ(setup->getStateSpace()->getValidSegmentCountFactor(), 1u);
         const auto &si = setup->getSpaceInformation();
         EXPECT_TRUE(si->isSetup());
         ob::ScopedState<> state(si);
@@ -243,17 +245,57 @@ namespace
     {
         const auto with = [this](const std::string &line) { return errorOf(PLANAR + VOLUME + line + "\n"); };
         EXPECT_EQ(with("sampler = gausian"), at(13) +
-                                                 "sampler = gausian: expected one of uniform, gaussian, "
+                                                 "problem.sampler = gausian: expected one of uniform, gaussian, "
                                                  "obstacle_based, max_clearance, bridge_test");
         for (const char *sampler : {"uniform", "gaussian", "obstacle_based", "max_clearance", "bridge_test"})
             EXPECT_EQ(with(std::string("sampler = ") + sampler), "");
         EXPECT_EQ(with("standard_deviation = 1"),
-                  at(13) + "standard_deviation = 1: the sampler 'uniform' has no such setting; known are nr_attempts");
+                  at(13) +
+                      "problem.standard_deviation = 1: the sampler 'uniform' has no such setting; gaussian and "
+                      "bridge_test have it");
+        EXPECT_EQ(with("nr_improve_attempts = 3\nsampler = bridge_test"),
+                  at(13) +
+                      "problem.nr_improve_attempts = 3: the sampler 'bridge_test' has no such setting; "
+                      "max_clearance has it");
+        EXPECT_NE(with("nr_attempts = 2.5"), "");
+        EXPECT_EQ(with("valid_segment_count_factor = 0"),
+                  at(13) + "problem.valid_segment_count_factor = 0: expected a whole number from 1 to 4294967295");
         EXPECT_NE(with("longest_valid_segment_fraction = fine"), "");
         EXPECT_NE(with("longest_valid_segment_fraction = 0"), "");
-        EXPECT_NE(with("longest_valid_segment_fraction = 1.5"), "");
-        EXPECT_NE(with("projection.cellsize.2 = 1"), "") << "the plane has two cell sizes";
+        EXPECT_EQ(with("longest_valid_segment_fraction = 1.5"),
+                  at(13) + "problem.longest_valid_segment_fraction = 1.5: expected a number above 0 and below 1");
+        EXPECT_EQ(
+            with("projection.cellsize.2 = 1"),
+            at(13) + "problem.projection.cellsize.2 = 1: the projection of the space 'R^2' has dimensions 0 to 1");
         EXPECT_EQ(with("projection.cellsize.1 = 1"), "");
+    }
+
+    TEST_F(ProblemFactoryTest, SettingsReachSpaceProjectionAndSampler)
+    {
+        const auto setup = ProblemFactory(config(PLANAR + VOLUME +
+                                                 "valid_segment_count_factor = 3\nprojection.cellsize.1 = 0.5\n"
+                                                 "projection.cellsize_factor = 4\nsampler = max_clearance\n"
+                                                 "nr_attempts = 17\nnr_improve_attempts = 5\n"))
+                               .create();
+        EXPECT_EQ(setup->getStateSpace()->getValidSegmentCountFactor(), 3u);
+        const auto projection = setup->getStateSpace()->getDefaultProjection();
+        EXPECT_NEAR(projection->getCellSizes(0), 4 * 10.0 / 20, 1e-9) << "a twentieth of the bounds, four times";
+        EXPECT_NEAR(projection->getCellSizes(1), 4 * 0.5, 1e-9);
+        const auto sampler = std::dynamic_pointer_cast<ob::MaximizeClearanceValidStateSampler>(
+            setup->getSpaceInformation()->allocValidStateSampler());
+        ASSERT_TRUE(sampler);
+        EXPECT_EQ(sampler->getNrAttempts(), 17u);
+        EXPECT_EQ(sampler->getNrImproveAttempts(), 5u);
+    }
+
+    TEST_F(ProblemFactoryTest, CurvedMotionsAreOnlyCheckedAtStates)
+    {
+        EXPECT_EQ(errorOf(PLANAR + VOLUME +
+                          "start.theta = 0\ngoal.theta = 0\nstatespace = dubins\n"
+                          "motion_validation = continuous\n"),
+                  at(16) +
+                      "problem.motion_validation = continuous: the motions of the space 'Dubins' are curved, and "
+                      "continuous validation is for straight ones; expected discrete");
     }
 
     TEST_F(ProblemFactoryTest, MotionValidationIsTheConfigs)

@@ -317,12 +317,8 @@ namespace ompl_mfa::collision
             EXPECT_GT(invalid, 500);
         }
 
-        TEST(FclMotionValidator, IsSelectedByName)
+        TEST(FclMotionValidator, IsSelected)
         {
-            EXPECT_EQ(parseMotionValidation("discrete"), MotionValidation::Discrete);
-            EXPECT_EQ(parseMotionValidation("continuous"), MotionValidation::Continuous);
-            expectInputError([] { parseMotionValidation("exact"); }, "motion_validation = exact",
-                             "discrete or continuous");
             const Setting setting(plane(10.), Scene(), {RigidBody::sphere(0.5)});
             setCollisionChecking(setting.si, setting.checker, MotionValidation::Continuous);
             EXPECT_NE(dynamic_cast<FclMotionValidator *>(setting.si->getMotionValidator().get()), nullptr);
@@ -335,7 +331,7 @@ namespace ompl_mfa::collision
             const auto si = std::make_shared<ob::SpaceInformation>(rigid<ob::DubinsStateSpace>(2, 10.));
             const auto checker =
                 std::make_shared<FclStateValidityChecker>(si, std::make_shared<Scene>(), RigidBody::sphere(0.5));
-            expectInputError([&] { FclMotionValidator(si, checker); }, "motion_validation", "must be discrete");
+            expectInputError([&] { FclMotionValidator(si, checker); }, "curved", "expected discrete");
         }
 
         // Whether one of many states between two collides: says nothing about a motion without such a state.

@@ -48,6 +48,8 @@
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/SpaceInformation.h>
 
+#include "path/CountingValidityChecker.h"
+
 namespace ompl_mfa::test
 {
     class CountingMotionValidator : public ompl::base::DiscreteMotionValidator
@@ -86,12 +88,9 @@ namespace ompl_mfa::test
                         const std::function<bool(const ompl::base::State *)> &isValid)
           : si(std::make_shared<ompl::base::SpaceInformation>(space))
         {
+            si->setStateValidityChecker(isValid);
             si->setStateValidityChecker(
-                [this, isValid](const ompl::base::State *state)
-                {
-                    ++states;
-                    return isValid(state);
-                });
+                std::make_shared<CountingValidityChecker>(si, si->getStateValidityChecker(), states));
             si->setMotionValidator(std::make_shared<CountingMotionValidator>(si, motions));
             si->setup();
         }

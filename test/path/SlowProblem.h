@@ -51,6 +51,8 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 
+#include "path/CountingValidityChecker.h"
+
 namespace ompl_mfa::test
 {
     /** \brief Checks a motion as a whole, from its beginning, as a validator of a user's own may. */
@@ -113,10 +115,11 @@ namespace ompl_mfa::test
                     while (std::chrono::steady_clock::now() < end)
                     {
                     }
-                    ++states;
                     --inside;
                     return isValid(state);
                 });
+            si->setStateValidityChecker(
+                std::make_shared<CountingValidityChecker>(si, si->getStateValidityChecker(), states));
             if (wholeMotions)
                 si->setMotionValidator(std::make_shared<WholeMotionValidator>(si));
             si->setup();

@@ -63,6 +63,17 @@ TEST(NearestName, GuessesOnlyWhatIsClose)
     EXPECT_EQ(describeUnknown("planner", "", {"a"}), "unknown planner ''; did you mean 'a'? accepted: a");
 }
 
+TEST(NearestName, AllAreAcceptedWhereTheyAreFewOrNoneIsNear)
+{
+    std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm"};
+    EXPECT_EQ(ompl_mfa::suggestion("prn", known), "; did you mean 'prm'? accepted: rrtconnect, rrtstar, prm");
+    while (known.size() <= 10)
+        known.push_back("a" + std::to_string(known.size()));
+    EXPECT_EQ(ompl_mfa::suggestion("prn", known), "; did you mean 'prm'?");
+    EXPECT_EQ(ompl_mfa::suggestion("zzzzzz", known),
+              "; accepted: rrtconnect, rrtstar, prm, a3, a4, a5, a6, a7, a8, a9, a10");
+}
+
 TEST(NearestName, ThrowsOnlyForUnknownNames)
 {
     EXPECT_NO_THROW(requireKnown("planner", "a", {"a", "b"}));

@@ -37,6 +37,7 @@
 #ifndef OMPL_MFA_BENCHMARK_CONFIG_FILE_
 #define OMPL_MFA_BENCHMARK_CONFIG_FILE_
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
@@ -63,6 +64,35 @@ namespace ompl_mfa
         REEDS_SHEPP        ///< SE2 with `statespace = reedsshepp`
     };
 
+    /** \brief What a problem's robot is. */
+    enum class RobotKind
+    {
+        FILE,  ///< a mesh or planning scene
+        POINT,
+        DISC,   ///< with robot.radius
+        SPHERE  ///< with robot.radius
+    };
+
+    /** \brief What costs a path, or a term of a weighted sum. */
+    enum class ObjectiveKind
+    {
+        LENGTH,
+        MAX_MIN_CLEARANCE,  ///< not as a term
+        MECHANICAL_WORK,
+        PROXIMITY,  ///< only as a term
+        WEIGHTED    ///< the sum of the problem's objectiveWeights
+    };
+
+    /** \brief How valid states are sampled. */
+    enum class SamplerKind
+    {
+        UNIFORM,
+        GAUSSIAN,
+        OBSTACLE_BASED,
+        MAX_CLEARANCE,
+        BRIDGE_TEST
+    };
+
     /** \brief A pose in the world. Coordinates that the problem's space does not have are 0. */
     struct ConfigPose
     {
@@ -84,6 +114,23 @@ namespace ompl_mfa
         std::string origin;
     };
 
+    /** \brief The settings of a problem's space information that a planner may override. What is not set is OMPL's. */
+    struct ContextConfig
+    {
+        std::optional<SamplerKind> sampler;
+        std::optional<unsigned int> attempts;
+        /** \brief Of the gaussian and bridge_test samplers. */
+        std::optional<Given<double>> standardDeviation;
+        /** \brief Of the max_clearance sampler. */
+        std::optional<Given<unsigned int>> improveAttempts;
+        std::optional<double> longestValidSegmentFraction;
+        std::optional<unsigned int> validSegmentCountFactor;
+        /** \brief Cells of the default projection, one a dimension. */
+        std::array<std::optional<Given<double>>, 3> cellSizes;
+        /** \brief Multiplies these sizes. */
+        std::optional<double> cellSizeFactor;
+    };
+
     /** \brief The section [problem]. */
     struct ProblemConfig
     {
@@ -91,7 +138,8 @@ namespace ompl_mfa
         std::string name;
         /** \brief A mesh, a scene or an OctoMap; without it the robot moves in an empty world. */
         std::optional<ConfigEntry> world;
-        /** \brief A mesh or scene file, or one of `point`, `disc`, `sphere` (the last two with robot.radius). */
+        RobotKind robotKind{RobotKind::FILE};
+        /** \brief As written: the name of a file, or the word for another kind. */
         ConfigEntry robot;
         /** \brief Radius of a `disc` or `sphere` robot, world units. */
         double robotRadius{0.0};
@@ -106,17 +154,17 @@ namespace ompl_mfa
         double threshold{1e-6};
         /** \brief Absent when not all of its keys are given: then the world's box is used. */
         std::optional<ConfigVolume> volume;
-        /** \brief `length`, `max_min_clearance`, `mechanical_work` or `weighted`. Without it the problem has no
-           objective: each planner takes its own default, and those that do not optimize stop at their first path. */
-        std::optional<ConfigEntry> objective;
+        /** \brief Without it the problem has no objective: each planner takes its own default, and those that do not
+            optimize stop at their first path. */
+        std::optional<ObjectiveKind> objective;
         /** \brief Cost at which an optimizing planner may stop; the objective's own when it is not set. */
         std::optional<double> objectiveThreshold;
         /** \brief objective.weight.NAME, in the order written; not empty exactly when the objective is `weighted`. */
-        std::vector<std::pair<std::string, double>> objectiveWeights;
-        collision::MotionValidation motionValidation{collision::MotionValidation::Discrete};
+        std::vector<std::pair<ObjectiveKind, double>> objectiveWeights;
+        Given<collision::MotionValidation> motionValidation{collision::MotionValidation::Discrete, {}};
         collision::MeshInterior meshInterior{collision::MeshInterior::Free};
-        /** \brief Context of the space information for all planners: `sampler`, `longest_valid_segment_fraction`... */
-        std::vector<ConfigEntry> context;
+        /** \brief For all planners. */
+        ContextConfig context;
     };
 
     enum class SavePaths
@@ -128,6 +176,9 @@ namespace ompl_mfa
 
     /** \brief Seconds, some thirty years: clocks that count nanoseconds can still add it to the time of the day. */
     constexpr double LONGEST_TIME_LIMIT = 1e9;
+
+    /** \brief Seconds between two samples of a planner's progress. */
+    constexpr double SHORTEST_PROGRESS_INTERVAL = 0.001;
 
     /** \brief The section [benchmark]. */
     struct CampaignConfig
@@ -143,8 +194,8 @@ namespace ompl_mfa
         bool simplify{true};
         /** \brief Seed of the whole campaign, above 0. */
         std::uint_fast32_t seed{1};
-        /** \brief Seconds between two samples of the progress properties, at least 0.001; when it is not set, a
-            100000th of a time limit of more than 1000 s. */
+        /** \brief Seconds between two samples of the progress properties, at least SHORTEST_PROGRESS_INTERVAL; when it
+           is not set, a 100000th of a time limit of more than 1000 s. */
         double progressInterval{0.01};
         /** \brief Evaluations of the termination condition after which a planner has to stop; 0: only time counts. */
         std::uint64_t iterationLimit{0};
@@ -159,9 +210,10 @@ namespace ompl_mfa
             instance on. */
         std::string name;
         std::string origin;
+        /** \brief As written: their types are the planner's, and createPlanner() asks it for them. */
         std::vector<ConfigEntry> parameters;
         /** \brief Overrides of the problem's context for this planner alone. */
-        std::vector<ConfigEntry> context;
+        ContextConfig context;
     };
 
     /** \brief A benchmark config as `ompl_benchmark` of OMPL.app reads it, with the extensions of docs/configs.md. */

@@ -55,6 +55,15 @@ namespace ompl_mfa
         std::string origin;
     };
 
+    /** \brief A value with the line that it came from, where an error that only shows when it is used has to name it.
+     */
+    template <typename Value>
+    struct Given
+    {
+        Value value;
+        ConfigEntry entry;
+    };
+
     /** \brief Reads an INI-like text: `[section]`, `key = value`, `#` to the end of the line is a comment. A byte-order
         mark and CRLF line ends are accepted. Keys are returned in lower case as `section.key`, in the order of the
         text, repeated ones included. Throws InputError, naming \e file and line, for any other line.
@@ -64,9 +73,6 @@ namespace ompl_mfa
 
     /** \brief The value as a finite number; throws InputError where it is not one. */
     OMPL_MFA_EXPORT double realValue(const ConfigEntry &entry);
-
-    /** \brief As realValue(), and above 0. */
-    OMPL_MFA_EXPORT double positiveValue(const ConfigEntry &entry);
 
     /** \brief The value as a whole number in [\e first, \e last]; throws InputError where it is not one. */
     OMPL_MFA_EXPORT std::uint_fast64_t wholeValue(const ConfigEntry &entry, std::uint_fast64_t first,
@@ -83,9 +89,6 @@ namespace ompl_mfa
 
     /** \brief Throws InputError: "ORIGIN: KEY = VALUE: \e message". */
     [[noreturn]] OMPL_MFA_EXPORT void failAt(const ConfigEntry &entry, const std::string &message);
-
-    /** \brief `; did you mean 'X'?` with the nearest of \e known, or, when none is near, `; known are A, B, ...`. */
-    OMPL_MFA_EXPORT std::string suggestion(const std::string &name, const std::vector<std::string> &known);
 }  // namespace ompl_mfa
 
 #endif

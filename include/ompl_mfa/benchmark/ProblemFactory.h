@@ -39,7 +39,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include <ompl/geometric/SimpleSetup.h>
 
@@ -79,8 +78,8 @@ namespace ompl_mfa
 
             Makes random number generators: setRandomSeed() comes before. Throws InputError when start or goal is out
             of bounds or collides (by less than a hundredth of the bounds' diagonal: with a valid state nearby), or when
-            a context key or value is not accepted. */
-        ompl::geometric::SimpleSetupPtr create(const std::vector<ConfigEntry> &plannerContext = {}) const;
+            the space or the sampler has no such setting. */
+        ompl::geometric::SimpleSetupPtr create(const ContextConfig &plannerContext = {}) const;
 
         /** \brief As create() with the context of \e spec, and with its planner. */
         ompl::geometric::SimpleSetupPtr create(const PlannerSpec &spec) const;

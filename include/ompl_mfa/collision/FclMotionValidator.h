@@ -38,7 +38,6 @@
 #define OMPL_MFA_COLLISION_FCL_MOTION_VALIDATOR_
 
 #include <memory>
-#include <string>
 #include <utility>
 
 #include <ompl/base/MotionValidator.h>
@@ -57,10 +56,6 @@ namespace ompl_mfa::collision
         /** \brief FclMotionValidator: all of the motion. */
         Continuous
     };
-
-    /** \brief `discrete` or `continuous`.
-        \throw InputError naming the value. */
-    OMPL_MFA_EXPORT MotionValidation parseMotionValidation(const std::string &name);
 
     /** \brief Continuous motion validation by conservative advancement.
 

@@ -43,6 +43,7 @@
 #include <ompl/util/Exception.h>
 
 #include "engine/GoalDistance.h"
+#include "path/CountingValidityChecker.h"
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -56,40 +57,6 @@ namespace ompl_mfa::engine::guides
         constexpr std::uint64_t FRUITLESS = 4;
 
         using Count = std::shared_ptr<std::atomic<std::uint64_t>>;
-
-        class CountingChecker : public ob::StateValidityChecker
-        {
-        public:
-            CountingChecker(const ob::SpaceInformationPtr &si, Count count)
-              : StateValidityChecker(si)
-              , checker_(si->getStateValidityChecker())
-              , count_(std::move(count))
-            {
-                specs_ = checker_->getSpecs();
-            }
-
-            bool isValid(const ob::State *state) const override
-            {
-                ++*count_;
-                return checker_->isValid(state);
-            }
-
-            double clearance(const ob::State *state) const override
-            {
-                ++*count_;
-                return checker_->clearance(state);
-            }
-
-            double clearance(const ob::State *state, ob::State *validState, bool &available) const override
-            {
-                ++*count_;
-                return checker_->clearance(state, validState, available);
-            }
-
-        private:
-            ob::StateValidityCheckerPtr checker_;
-            Count count_;
-        };
 
         class CountingValidator : public ob::MotionValidator
         {
@@ -127,14 +94,19 @@ namespace ompl_mfa::engine::guides
         public:
             CountedSpaceInformation(const ob::SpaceInformationPtr &user, const Count &count)
               : SpaceInformation(user->getStateSpace())
+              , count_(count)
             {
-                setStateValidityChecker(std::make_shared<CountingChecker>(user, count));
+                setStateValidityChecker(
+                    std::make_shared<CountingValidityChecker>(user, user->getStateValidityChecker(), *count_));
                 setMotionValidator(std::make_shared<CountingValidator>(user, count));
                 setValidStateSamplerAllocator([user](const ob::SpaceInformation *)
                                               { return user->allocValidStateSampler(); });
                 // the space was set up with the user's space information and may be in use by other threads
                 setup_ = true;
             }
+
+        private:
+            Count count_;
         };
 
         /* The goal states that are known, which any planner can sample, and what else the user's goal is satisfied
