@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/MeasuredPlanner.h"
+#include "benchmark/MeasuredPlanner.h"
 
 #include <unistd.h>
 
@@ -47,7 +47,7 @@
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/String.h>
 
-#include "ompl_mfa/benchmark/RunRecord.h"
+#include "benchmark/RunRecord.h"
 #include "text/NumberText.h"
 
 namespace ob = ompl::base;

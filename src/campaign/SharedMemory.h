@@ -34,50 +34,34 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_BENCHMARK_CAMPAIGN_PROGRESS_
-#define OMPL_MFA_BENCHMARK_CAMPAIGN_PROGRESS_
+#ifndef OMPL_MFA_CAMPAIGN_SHARED_MEMORY_
+#define OMPL_MFA_CAMPAIGN_SHARED_MEMORY_
 
-#include <iosfwd>
-#include <map>
-#include <string>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
 
 #include "ompl_mfa/Export.h"
-#include "ompl_mfa/benchmark/RunRecord.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::campaign
 {
-    /** \brief Shows how far a campaign is: a bar that is overwritten on a terminal, else one line a run. */
-    class OMPL_MFA_EXPORT CampaignProgress
+    /** \brief \e size bytes of zeros that this process shares with those that it forks from now on. Throws
+        std::system_error where the system has none. */
+    OMPL_MFA_EXPORT void *mapSharedMemory(std::size_t size);
+
+    /** \brief Gives back what mapSharedMemory() gave. */
+    OMPL_MFA_EXPORT void unmapSharedMemory(void *memory, std::size_t size);
+
+    /** \brief An object that this process shares with those that it forks from now on: what such a process wrote
+        survives its crash. Throws std::system_error where the system has no memory for it. */
+    template <typename Shared>
+    std::shared_ptr<Shared> makeShared()
     {
-    public:
-        /** \brief \e total runs, of which \e done need not be made. \e out may be null. */
-        CampaignProgress(std::ostream *out, bool terminal, std::size_t total, std::size_t done);
-
-        /** \brief Says that run \e run of \e planner is under way; \e secondsLeft is an estimate for the rest. */
-        void running(const std::string &planner, unsigned int run, double secondsLeft);
-
-        /** \brief Says how a run ended. */
-        void finished(const RunRecord &record);
-
-        /** \brief Ends the line of the bar. */
-        void close();
-
-    private:
-        void clearLine();
-
-        std::ostream *out_;
-        bool terminal_;
-        std::size_t total_;
-        std::size_t done_;
-        std::size_t lineLength_{0};
-        double lastShown_{0.0};
-    };
-
-    /** \brief "3 s", "2:05" or "1:02:05". */
-    OMPL_MFA_EXPORT std::string formatDuration(double seconds);
-
-    /** \brief How a run ended, in words: "exact solution, cost 12.3", "killed at its time limit", "signal 11 (...)". */
-    OMPL_MFA_EXPORT std::string describeRun(const RunRecord &record);
-}  // namespace ompl_mfa
+        static_assert(std::is_trivially_destructible_v<Shared>, "what it owned would be in the memory of one process");
+        return {new (mapSharedMemory(sizeof(Shared))) Shared,
+                [](Shared *shared) { unmapSharedMemory(shared, sizeof(Shared)); }};
+    }
+}  // namespace ompl_mfa::campaign
 
 #endif

@@ -34,46 +34,44 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_BENCHMARK_MEASURED_RUN_
-#define OMPL_MFA_BENCHMARK_MEASURED_RUN_
+#ifndef OMPL_MFA_BENCHMARK_CAMPAIGN_LOG_
+#define OMPL_MFA_BENCHMARK_CAMPAIGN_LOG_
 
-#include <cstdint>
-#include <functional>
+#include <filesystem>
+#include <vector>
 
-#include <ompl/base/Planner.h>
-#include <ompl/geometric/SimpleSetup.h>
-
+#include "benchmark/RunRecord.h"
+#include "campaign/RunJournal.h"
 #include "ompl_mfa/Export.h"
-#include "ompl_mfa/benchmark/RunRecord.h"
+#include "ompl_mfa/benchmark/BenchmarkLog.h"
+#include "ompl_mfa/benchmark/Campaign.h"
 
 namespace ompl_mfa
 {
-    /** \brief What is the same for every run of a campaign. */
-    struct RunSettings
+    /** \brief A journal of `ompl_mfa benchmark`. */
+    struct CampaignRuns
     {
-        /** \brief Seconds. */
-        double timeLimit{5.0};
-        /** \brief Megabytes (2^20 bytes). */
-        double memoryLimit{4096.0};
-        /** \brief Seconds between two samples of the progress properties. */
-        double progressInterval{0.01};
-        /** \brief Evaluations of the termination condition before the planner has to stop; 0: no limit. */
-        std::uint64_t iterationLimit{0};
-        bool simplify{true};
-        /** \brief Whether records hold the path of an exact solution. */
-        bool keepPath{false};
+        campaign::JournalHeader header;
+        std::vector<RunRecord> records;
     };
 
-    /** \brief Makes the problem of a run. It is called in the run's own process, after the seed is set. */
-    using ProblemAllocator = std::function<ompl::geometric::SimpleSetupPtr()>;
+    /** \brief The header of the journal of \e campaign on this machine; its description holds what a log says of a
+        whole campaign. */
+    OMPL_MFA_EXPORT campaign::JournalHeader makeJournalHeader(const Campaign &campaign);
 
-    /** \brief Runs a planner once through OMPL's Benchmark in the calling process and measures the run.
+    /** \brief Reads a journal. Throws InputError when \e file is none of `ompl_mfa benchmark`. */
+    OMPL_MFA_EXPORT CampaignRuns readCampaignRuns(const std::filesystem::path &file);
 
-        Seeds OMPL with \e seed before it makes anything, and the planner by its parameter `seed` where it has one.
-        The record has OMPL's own run properties and those that docs/benchmarks.md lists. */
-    OMPL_MFA_EXPORT RunRecord measureRun(const ProblemAllocator &makeProblem,
-                                         const ompl::base::PlannerAllocator &makePlanner, const RunSettings &settings,
-                                         std::uint32_t seed, RunState &state);
+    /** \brief What a log says of a whole campaign, as makeJournalHeader() put it into \e description: all but start,
+        duration, and what comes from runs; of the planners the names. Throws std::invalid_argument for anything else.
+     */
+    OMPL_MFA_EXPORT BenchmarkLog logHeadFrom(const campaign::Json &description);
+
+    /** \brief As an object for the header of a journal. */
+    OMPL_MFA_EXPORT campaign::Json toJson(const BenchmarkLog &logHead);
+
+    /** \brief The log of \e runs, whatever their order. */
+    OMPL_MFA_EXPORT BenchmarkLog assembleLog(const CampaignRuns &runs);
 }  // namespace ompl_mfa
 
 #endif

@@ -46,8 +46,9 @@
 #include <ompl/base/Planner.h>
 #include <ompl/base/StateValidityChecker.h>
 
+#include "benchmark/RunState.h"
 #include "ompl_mfa/Export.h"
-#include "ompl_mfa/benchmark/RunProcess.h"
+#include "ompl_mfa/benchmark/BenchmarkLog.h"
 
 namespace ompl_mfa
 {
@@ -71,15 +72,6 @@ namespace ompl_mfa
     private:
         ompl::base::StateValidityCheckerPtr checker_;
         RunState &run_;
-    };
-
-    /** \brief The progress of a planner at one time. */
-    struct ProgressSample
-    {
-        /** \brief Seconds since the start of solve(). */
-        double time{0.0};
-        /** \brief One value a progress property, in the order of MeasuredPlanner::progressNames(). */
-        std::vector<std::string> values;
     };
 
     /** \brief A planner as a benchmark sees it: passes everything on to the planner that it holds and measures solve().
