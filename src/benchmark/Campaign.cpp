@@ -51,6 +51,7 @@
 #include "benchmark/MeasuredRun.h"
 #include "benchmark/RunText.h"
 #include "campaign/Campaign.h"
+#include "campaign/Digest.h"
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 
@@ -124,15 +125,6 @@ namespace ompl_mfa
                 {
                     savePath(stem + "." + fileNamePart(entry.first) + ".path", *entry.second);
                 }
-            }
-        }
-
-        void addToDigest(std::uint64_t &digest, const std::string &text)
-        {
-            // FNV-1a, 64 bits; the separator keeps "a", "bc" apart from "ab", "c".
-            for (const char letter : text + '\0')
-            {
-                digest = (digest ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
             }
         }
 
@@ -294,20 +286,13 @@ namespace ompl_mfa
         numbers << settings.timeLimit << ' ' << settings.memoryLimit << ' ' << settings.progressInterval << ' '
                 << settings.iterationLimit << ' ' << settings.simplify << ' ' << description_.runCount << ' '
                 << description_.seed << ' ' << static_cast<int>(description_.savePaths);
-        std::uint64_t digest = 0xcbf29ce484222325ULL;
-        for (const std::string &text : {std::string(OMPL_MFA_OMPL_VERSION), std::string(OMPL_MFA_VERSION),
-                                        description_.name, description_.identity, numbers.str()})
-        {
-            addToDigest(digest, text);
-        }
+        std::vector<std::string> texts{OMPL_MFA_OMPL_VERSION, OMPL_MFA_VERSION, description_.name,
+                                       description_.identity, numbers.str()};
         for (const CampaignPlanner &planner : description_.planners)
         {
-            addToDigest(digest, planner.name);
+            texts.push_back(planner.name);
         }
-        std::ostringstream hex;
-        hex.imbue(std::locale::classic());
-        hex << std::hex << digest;
-        return hex.str();
+        return campaign::digestOf(texts);
     }
 
     std::vector<std::pair<std::size_t, unsigned int>> Campaign::runs() const
