@@ -135,7 +135,8 @@ namespace
         const ompl_mfa::campaign::RunsMade made = anytime::runCampaign(request, runs);
         if (made.interruptedBy != 0)
         {
-            std::cerr << "stopped with " << made.missing << " runs to go; the same command, without --fresh, continues" << std::endl;
+            std::cerr << "stopped with " << made.missing << " runs to go; the same command, without --fresh, continues"
+                      << std::endl;
             throw CLI::RuntimeError(SIGNAL_STATUS + made.interruptedBy);
         }
         report(options);

@@ -151,7 +151,7 @@ namespace ompl_mfa
         /* The journal that stands beside a log, or the file itself. */
         std::filesystem::path journalOf(const std::string &part)
         {
-            const std::filesystem::path beside = Campaign::journalFile(part);
+            std::filesystem::path beside = Campaign::journalFile(part);
             if (std::filesystem::exists(beside))
             {
                 return beside;
