@@ -36,115 +36,141 @@
 
 #include "anytime/Campaign.h"
 
-#include <algorithm>
-#include <chrono>
-#include <iomanip>
-#include <list>
-#include <ostream>
-#include <thread>
-
-#include <sched.h>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <utility>
 
 #include "anytime/PlannerText.h"
-#include "anytime/RunFile.h"
-#include "anytime/RunProcess.h"
-#include "ompl_mfa/InputError.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa::anytime
 {
     namespace
     {
-        /* The one first on which this process is: the scheduler has found it the least busy. */
-        std::vector<int> availableCores()
+        using campaign::Json;
+        using campaign::RunProcess;
+        using campaign::RunTermination;
+
+        /* Any two files of runs can become one: a run is known by all that decides it. */
+        const char *const IDENTITY = "ompl_mfa_anytime";
+
+        /* JSON has no infinity. */
+        Json finiteOrNull(double value)
         {
-            cpu_set_t set;
-            CPU_ZERO(&set);
-            sched_getaffinity(0, sizeof(set), &set);
-            std::vector<int> cores;
-            for (int core = 0; core < CPU_SETSIZE; ++core)
+            return std::isfinite(value) ? Json(value) : Json(nullptr);
+        }
+
+        /* One entry an improvement: wall seconds, processor seconds, cost, states checked. */
+        Json toJson(const ImprovementLog &log)
+        {
+            Json improvements = Json::array();
+            for (std::uint32_t i = 0; i < log.count; ++i)
             {
-                if (CPU_ISSET(core, &set))
-                    cores.push_back(core);
+                const Improvement &entry = log.entries[i];
+                improvements.push_back({entry.wall, entry.cpu, entry.cost, entry.checks});
             }
-            const auto here = std::find(cores.begin(), cores.end(), sched_getcpu());
-            if (here != cores.end())
-                std::rotate(cores.begin(), here, cores.end());
-            return cores;
+            return improvements;
         }
 
-        std::list<RunRequest> missingRuns(const CampaignRequest &campaign, const RunFile &file)
+        Json toJson(const RunResult &result)
         {
-            std::list<RunRequest> missing;
-            for (std::uint32_t seed = 1; seed <= campaign.seeds; ++seed)
+            return {{"solved", result.solved},
+                    {"valid", result.valid},
+                    {"cost", finiteOrNull(result.cost)},
+                    {"wall", result.wall},
+                    {"cpu", result.cpu},
+                    {"checks", result.checks},
+                    {"path_check", result.pathCheck},
+                    {"path_checks", result.pathChecks},
+                    {"looks", result.looks},
+                    {"longest_gap", result.longestGap},
+                    {"path", result.path}};
+        }
+
+        std::string statusOf(const RunProcess &process)
+        {
+            switch (process.termination())
             {
-                for (const World &world : campaign.worlds)
-                {
-                    for (const std::string &planner : campaign.planners)
-                    {
-                        RunRequest request{&world, planner, seed, campaign.timeLimit, campaign.clock};
-                        if (!file.has(request))
-                            missing.push_back(std::move(request));
-                    }
-                }
+                case RunTermination::RETURNED:
+                    return "returned";
+                case RunTermination::EXCEPTION:
+                    return "exception";
+                case RunTermination::EXITED:
+                    return "exited";
+                case RunTermination::SIGNAL:
+                    return std::string("signal ") + sigabbrev_np(process.signal());
+                case RunTermination::MEMORY_LIMIT:
+                    return "out of memory";
+                default:
+                    return "killed";
             }
-            return missing;
         }
 
-        void reportRun(const RunProcess &run, std::size_t number, std::size_t total, std::ostream &progress)
+        campaign::RunReport reportOf(const RunProcess &process, const RunRequest &request, const RunMemory &memory)
         {
-            const RunRequest &request = run.request();
-            const RunResult &result = run.result();
-            progress << "[" << number << "/" << total << "] " << request.world->name << " " << request.planner << " #"
-                     << request.seed << ": " << run.status();
-            if (!run.note().empty())
-                progress << " (" << run.note() << ")";
-            if (result.solved)
-                progress << ", cost " << std::setprecision(6) << result.cost
-                         << (result.valid ? "" : ", which fails check()");
-            progress << std::endl;
+            const bool returned = process.termination() == RunTermination::RETURNED;
+            const Json result = returned ? campaign::parseJson(process.result()) : toJson(RunResult());
+            campaign::RunReport report;
+            report.record = {
+                {"family", request.world->family}, {"status", statusOf(process)}, {"note", process.lastLine()}};
+            report.record.update(result);
+            report.record["improvements"] = toJson(memory.log);
+            report.failed = !returned;
+            report.text = statusOf(process);
+            if (!process.lastLine().empty())
+                report.text += " (" + process.lastLine() + ")";
+            if (result.at("solved"))
+                report.text +=
+                    ", cost " + numberText(result.at("cost"), 6) + (result.at("valid") ? "" : ", which fails check()");
+            return report;
         }
 
-        struct Slot
+        campaign::Task makeTask(const RunRequest &request)
         {
-            int core;
-            std::unique_ptr<RunProcess> run;
-        };
+            campaign::Task task;
+            task.key = {{"world", request.world->name},
+                        {"planner", request.planner},
+                        {"seed", request.seed},
+                        {"time_limit", request.timeLimit},
+                        {"clock", clockName(request.clock)}};
+            task.name = request.world->name + " " + request.planner + " #" + std::to_string(request.seed);
+            task.group = request.planner;
+            task.expected = request.timeLimit;
+            task.makeWork = [request] { return makeWork(request); };
+            return task;
+        }
     }  // namespace
 
-    void runCampaign(const CampaignRequest &campaign, const std::filesystem::path &runs, std::ostream &progress)
+    campaign::Work makeWork(const RunRequest &request, const RunBody &body)
     {
-        const std::vector<int> cores = availableCores();
-        if (campaign.jobs < 1 || campaign.jobs > cores.size())
-            throw InputError("--jobs " + std::to_string(campaign.jobs) + ": accepted are 1 to " +
-                             std::to_string(cores.size()) + ", the number of cores");
-        for (const std::string &planner : campaign.planners)
+        const auto memory = campaign::makeShared<RunMemory>();
+        campaign::Work work;
+        work.state = memory;
+        work.limits.processor = 1.5 * request.timeLimit + 1.0;
+        work.limits.solve = 6.0 * request.timeLimit + 30.0;
+        work.body = [request, body, memory] { return campaign::jsonLine(toJson(body(request, *memory))); };
+        work.report = [request, memory](const RunProcess &process) { return reportOf(process, request, *memory); };
+        return work;
+    }
+
+    campaign::RunsMade runCampaign(const CampaignRequest &request, campaign::RunOptions options)
+    {
+        for (const std::string &planner : request.planners)
             parsePlanner(planner);
-        RunFile file(runs);
-        std::list<RunRequest> waiting = missingRuns(campaign, file);
-        const std::size_t total = waiting.size();
-        std::size_t done = 0;
-        std::vector<Slot> slots;
-        for (unsigned int i = 0; i < campaign.jobs; ++i)
-            slots.push_back({cores[i], nullptr});
-        while (done < total)
+        std::vector<campaign::Task> tasks;
+        for (std::uint32_t seed = 1; seed <= request.seeds; ++seed)
         {
-            for (Slot &slot : slots)
+            for (const World &world : request.worlds)
             {
-                if (slot.run && slot.run->finished())
-                {
-                    if (slot.run->status() == "bad request")
-                        throw InputError(slot.run->note());
-                    file.append(*slot.run);
-                    reportRun(*slot.run, ++done, total, progress);
-                    slot.run.reset();
-                }
-                if (!slot.run && !waiting.empty())
-                {
-                    slot.run = std::make_unique<RunProcess>(waiting.front(), slot.core);
-                    waiting.pop_front();
-                }
+                for (const std::string &planner : request.planners)
+                    tasks.push_back(makeTask({&world, planner, seed, request.timeLimit, request.clock}));
             }
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
+        options.bindToCores = true;
+        options.resume = !options.overwrite;
+        campaign::JournalHeader header;
+        header.campaign = IDENTITY;
+        return campaign::makeRuns(std::move(header), tasks, options);
     }
 }  // namespace ompl_mfa::anytime

@@ -38,12 +38,12 @@
 #define OMPL_MFA_BENCHMARKS_ANYTIME_CAMPAIGN_
 
 #include <cstdint>
-#include <filesystem>
-#include <iosfwd>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "anytime/PlannerRun.h"
+#include "campaign/Campaign.h"
 
 namespace ompl_mfa::anytime
 {
@@ -57,14 +57,20 @@ namespace ompl_mfa::anytime
         /** \brief Seconds a run, of \e clock. */
         double timeLimit;
         Clock clock;
-        /** \brief Runs at a time, each on a core of its own. */
-        unsigned int jobs;
     };
 
-    /** \brief Makes the runs that \e runs does not hold yet, seed by seed, so that an interrupted campaign has about as
-        many runs of each planner; reports each on \e progress. Throws InputError for a planner that cannot be made
-        and for more jobs than cores. */
-    void runCampaign(const CampaignRequest &campaign, const std::filesystem::path &runs, std::ostream &progress);
+    /** \brief Executed in the process of the run. */
+    using RunBody = std::function<RunResult(const RunRequest &, RunMemory &)>;
+
+    /** \brief One run. It is killed when it is far beyond its time limit: half as much again and one second of
+       processor time, six times and half a minute of the wall clock. */
+    campaign::Work makeWork(const RunRequest &request, const RunBody &body = runPlanner);
+
+    /** \brief Makes the runs that the journal does not hold yet, whatever else it holds, seed by seed, so that an
+        interrupted campaign has about as many runs of each planner. Each is bound to a core, so that planners with
+       several threads get no more than the others. Throws InputError for a planner that cannot be made and as
+        campaign::makeRuns() does. */
+    campaign::RunsMade runCampaign(const CampaignRequest &request, campaign::RunOptions options);
 }  // namespace ompl_mfa::anytime
 
 #endif

@@ -83,21 +83,13 @@ namespace ompl_mfa::anytime
 
         void storePath(const Problem &problem, const og::PathGeometric &path, RunResult &result)
         {
-            result.states = path.getStateCount();
-            std::vector<double> reals;
+            result.path.resize(path.getStateCount());
             for (std::size_t i = 0; i < path.getStateCount(); ++i)
-            {
-                problem.si->getStateSpace()->copyToReals(reals, path.getState(i));
-                if (result.reals + reals.size() > RunResult::CAPACITY)
-                    return;
-                std::copy(reals.begin(), reals.end(), result.path + result.reals);
-                result.reals += reals.size();
-            }
+                problem.si->getStateSpace()->copyToReals(result.path[i], path.getState(i));
         }
 
         void checkPath(const Problem &problem, RunResult &result)
         {
-            result.cost = std::numeric_limits<double>::infinity();
             result.solved = problem.pdef->hasExactSolution();
             if (!result.solved)
                 return;
@@ -109,7 +101,7 @@ namespace ompl_mfa::anytime
         }
     }  // namespace
 
-    void runPlanner(const RunRequest &request, RunResult &result)
+    RunResult runPlanner(const RunRequest &request, RunMemory &memory)
     {
         ompl::msg::noOutputHandler();
         ompl::RNG::setSeed(request.seed);
@@ -117,22 +109,21 @@ namespace ompl_mfa::anytime
         const ob::PlannerPtr planner = createPlanner(problem.si, parsePlanner(request.planner));
         planner->setProblemDefinition(problem.pdef);
         const std::uint64_t checksBefore = problem.checker->checks();
+        campaign::startSolving(memory);
         const double wallBefore = wallTime();
-        result.cpuBefore = cpuTime();
-        result.stage = Stage::SOLVING;
-        {
-            CostTrace trace(problem, *planner, request.clock, request.timeLimit, result.log);
-            planner->setup();
-            planner->solve(ob::PlannerTerminationCondition([&trace] { return trace.expired(); }));
-            result.wall = wallTime() - wallBefore;
-            result.cpu = cpuTime() - result.cpuBefore;
-            result.checks = problem.checker->checks() - checksBefore;
-            trace.stop();
-            result.longestGap = trace.longestGap();
-            result.looks = trace.looks();
-            result.stage = Stage::CHECKING;
-            checkPath(problem, result);
-        }
-        result.stage = Stage::DONE;
+        const double cpuBefore = cpuTime();
+        RunResult result;
+        CostTrace trace(problem, *planner, request.clock, request.timeLimit, memory.log);
+        planner->setup();
+        planner->solve(ob::PlannerTerminationCondition([&trace] { return trace.expired(); }));
+        result.wall = wallTime() - wallBefore;
+        result.cpu = cpuTime() - cpuBefore;
+        result.checks = problem.checker->checks() - checksBefore;
+        trace.stop();
+        result.longestGap = trace.longestGap();
+        result.looks = trace.looks();
+        memory.phase = campaign::RunPhase::FINISHING;
+        checkPath(problem, result);
+        return result;
     }
 }  // namespace ompl_mfa::anytime

@@ -37,13 +37,14 @@
 #ifndef OMPL_MFA_BENCHMARKS_ANYTIME_PLANNER_RUN_
 #define OMPL_MFA_BENCHMARKS_ANYTIME_PLANNER_RUN_
 
-#include <atomic>
-#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "anytime/CostTrace.h"
 #include "anytime/World.h"
+#include "campaign/RunProcess.h"
 
 namespace ompl_mfa::anytime
 {
@@ -59,36 +60,27 @@ namespace ompl_mfa::anytime
         Clock clock;
     };
 
-    enum class Stage
+    /** \brief What is known of a run whose process has crashed. */
+    struct RunMemory : campaign::RunState
     {
-        PREPARING,   ///< the world is being made
-        SOLVING,     ///< the planner has been started
-        CHECKING,    ///< it has returned, and its path is being checked
-        DONE,        ///< all fields are set
-        BAD_REQUEST  ///< planner or world cannot be made; see note
+        ImprovementLog log;
     };
 
-    /** \brief What one run leaves. It lives in memory shared with the process of the run. */
+    /** \brief What a run hands back. */
     struct RunResult
     {
-        std::atomic<Stage> stage{Stage::PREPARING};
         /** \brief Seconds that the planner took, on both clocks, and states that it checked. */
         double wall{0.0};
         double cpu{0.0};
         std::uint64_t checks{0};
-        /** \brief Processor time of the process when the planner was started. */
-        double cpuBefore{0.0};
         /** \brief Whether there is a path that ends in the goal, and whether that path passes PathGeometric::check()
             and leads from the start to the goal. */
         bool solved{false};
         bool valid{false};
         /** \brief Cost of the path as it was returned; infinite without one. */
-        double cost{0.0};
-        /** \brief That path, state by state, each as the reals of its space; none when it is too long. */
-        static constexpr std::size_t CAPACITY = 100000;
-        std::size_t states{0};
-        std::size_t reals{0};
-        double path[CAPACITY]{};
+        double cost{std::numeric_limits<double>::infinity()};
+        /** \brief That path, state by state, each as the reals of its space. */
+        std::vector<std::vector<double>> path;
         /** \brief Seconds to check the returned path once (the least of several times), and states checked for it. */
         double pathCheck{0.0};
         std::uint64_t pathChecks{0};
@@ -96,13 +88,12 @@ namespace ompl_mfa::anytime
         double longestGap{0.0};
         /** \brief How often somebody did. */
         std::uint64_t looks{0};
-        char note[200]{};
-        ImprovementLog log;
     };
 
     /** \brief Makes the problem and the planner and runs it, once in the life of a process: OMPL's seed is set here.
-        Exceptions of the planner pass through. */
-    void runPlanner(const RunRequest &request, RunResult &result);
+        Improvements are logged in \e memory. Exceptions of the planner pass through; throws InputError where the
+       planner cannot be made. */
+    RunResult runPlanner(const RunRequest &request, RunMemory &memory);
 }  // namespace ompl_mfa::anytime
 
 #endif

@@ -133,7 +133,9 @@ def read_lines(path):
 
 
 def read_runs(paths, clock, worlds):
-    runs = [Run(record, clock) for path in paths for record in read_lines(path) if re.search(worlds, record["world"])]
+    """The runs of journals, whose first lines name the campaign."""
+    runs = [Run(record, clock) for path in paths for record in read_lines(path)
+            if "campaign" not in record and re.search(worlds, record["world"])]
     if not runs:
         sys.exit(f"{', '.join(paths)}: no runs of worlds that match '{worlds}'")
     return runs

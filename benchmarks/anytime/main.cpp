@@ -55,6 +55,8 @@ namespace anytime = ompl_mfa::anytime;
 
 namespace
 {
+    constexpr int SIGNAL_STATUS = 128;
+
     struct Options
     {
         std::string worlds{"."};
@@ -121,15 +123,22 @@ namespace
 
     void run(const Options &options)
     {
-        if (options.fresh)
-            std::filesystem::remove(options.runs);
-        anytime::CampaignRequest campaign{anytime::selectWorlds(options.worlds),
-                                          anytime::splitPlanners(options.planners),
-                                          options.seeds,
-                                          options.time,
-                                          options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::WALL,
-                                          options.jobs};
-        anytime::runCampaign(campaign, options.runs, std::cerr);
+        const anytime::CampaignRequest request{anytime::selectWorlds(options.worlds),
+                                               anytime::splitPlanners(options.planners), options.seeds, options.time,
+                                               options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::WALL};
+        ompl_mfa::campaign::RunOptions runs;
+        runs.journal = options.runs;
+        runs.jobs = options.jobs;
+        runs.overwrite = options.fresh;
+        runs.progress = &std::cerr;
+        runs.terminal = isatty(STDERR_FILENO) != 0;
+        const ompl_mfa::campaign::RunsMade made = anytime::runCampaign(request, runs);
+        if (made.interruptedBy != 0)
+        {
+            std::cerr << "stopped with " << made.missing << " runs to go; the same command, without --fresh, continues"
+                      << std::endl;
+            throw CLI::RuntimeError(SIGNAL_STATUS + made.interruptedBy);
+        }
         report(options);
     }
 

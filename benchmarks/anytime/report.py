@@ -99,7 +99,8 @@ def verdicts(own):
 def own_planners(rows):
     """The rows of each of our planners that has peers to be held against."""
     names = dict.fromkeys(row.planner for row in rows if row.is_own())
-    return {name: own for name in names if (own := [row for row in rows if row.planner == name and row.peers])}
+    return {name: own for name in names
+            if (own := [row for row in rows if row.planner == name and row.best_peer("1pct")])}
 
 
 def world_title(row):

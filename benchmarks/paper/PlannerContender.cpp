@@ -43,6 +43,7 @@
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
+#include <ompl/util/RandomNumbers.h>
 
 #include "ompl_mfa/planner/MFA.h"
 
@@ -130,6 +131,7 @@ namespace
 ompl_mfa::paper::PlannerRun ompl_mfa::paper::runPlanner(const PathScene &scene, unsigned int slices, double target,
                                                         std::uint32_t seed)
 {
+    ompl::RNG::setSeed(seed);
     const PlanarCollision collision(scene.world);
     og::SimpleSetup setup = makeProblem(scene, collision);
     const auto planner = std::make_shared<MFA>(setup.getSpaceInformation());

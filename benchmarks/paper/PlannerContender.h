@@ -46,7 +46,8 @@ namespace ompl_mfa::paper
        until it has checked as many motions as BUDGET paths over \e slices slices have, or proved its path optimal. An
         evaluation is that many motion checks. Run::path is the planner's path.
 
-        Makes OMPL's random number generators: runs repeat only if they come in the same order in one thread. */
+        Seeds OMPL's random number generators and makes some, and so repeats itself only as the first in the life of a
+        process. */
     struct PlannerRun
     {
         Run run;

@@ -37,8 +37,7 @@
 #ifndef OMPL_MFA_BENCHMARKS_PAPER_STUDY_
 #define OMPL_MFA_BENCHMARKS_PAPER_STUDY_
 
-#include <cstddef>
-#include <functional>
+#include <stdexcept>
 #include <string>
 
 namespace ompl_mfa::paper
@@ -52,14 +51,35 @@ namespace ompl_mfa::paper
         unsigned int seededRuns{10};
         unsigned int functionRuns{6};
         unsigned int sliceRuns{10};
-        unsigned int threads{2};
+        /** \brief Runs at the same time. */
+        unsigned int jobs{2};
+        /** \brief Makes only the runs that the journals in the folder do not have. */
+        bool resume{false};
+        /** \brief Drops the journals of an interrupted study. */
+        bool overwrite{false};
+    };
+
+    /** \brief A signal has stopped the study. */
+    class Interrupted : public std::runtime_error
+    {
+    public:
+        Interrupted(int signal, const std::string &message)
+          : std::runtime_error(message)
+          , signal_(signal)
+        {
+        }
+
+        int signal() const
+        {
+            return signal_;
+        }
+
+    private:
+        int signal_;
     };
 
     /** \brief m - 1 of the study's path problems. */
     constexpr unsigned int SLICES = 6;
-
-    /** \brief Calls job(0), ..., job(count - 1) from \e threads threads, in any order. */
-    void runParallel(std::size_t count, unsigned int threads, const std::function<void(std::size_t)> &job);
 
     /** \brief The scenes and their optima: scenes.csv, obstacles.csv, optima.csv. */
     void writeScenes(const StudyOptions &options);
@@ -67,8 +87,7 @@ namespace ompl_mfa::paper
     /** \brief Path planning by contenders() and ablations(): runs.csv, times.csv, convergence.csv, paths.csv. */
     void studyPaths(const StudyOptions &options);
 
-    /** \brief Path planning by the planner with all its parts, in one thread: the same files, named planner_runs.csv
-        and so on. */
+    /** \brief Path planning by the planner with all its parts: the same files, named planner_runs.csv and so on. */
     void studyPlanner(const StudyOptions &options);
 
     /** \brief How the result depends on the number of slices: slices.csv. */

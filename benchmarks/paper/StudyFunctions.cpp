@@ -35,17 +35,14 @@
 /* Author: the ompl_mfa authors */
 
 #include <algorithm>
-#include <fstream>
-#include <iomanip>
-#include <locale>
 #include <vector>
 
-#include "ompl_mfa/InputError.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
 #include "optimizer/TestFunction.h"
 #include "paper/Contender.h"
 #include "paper/Study.h"
+#include "paper/StudyRuns.h"
 
 using ompl_mfa::FireflyOptimizer;
 using ompl_mfa::TestFunction;
@@ -95,12 +92,19 @@ namespace
         return jobs;
     }
 
-    /** \brief The populations of Figs. 5 and 6: for each algorithm the run of median share near the optimum. */
-    void writePopulations(const std::string &file)
+    double errorOf(const Job &job)
     {
-        std::ofstream out(file);
-        out.imbue(std::locale::classic());
-        out << std::setprecision(10) << "algorithm,run,share,x,y\n";
+        TestFunction function(job.function, job.dimension, drawShift(job));
+        const ompl_mfa::paper::Run run =
+            ompl_mfa::paper::runContender(job.algorithm, function, function.lower(), function.upper(), -1e300, job.run);
+        const double optimum = function.evaluate(function.optimum(), nullptr).cost;
+        return std::max(0.0, run.best.cost - optimum);
+    }
+
+    /** \brief The populations of Figs. 5 and 6: for each algorithm the run of median share near the optimum. */
+    void writePopulations(const ompl_mfa::paper::StudyOptions &options)
+    {
+        auto out = ompl_mfa::paper::openTable(options, "populations.csv", "algorithm,run,share,x,y");
         for (const auto variant : {FireflyOptimizer::Variant::FA, FireflyOptimizer::Variant::MFA})
         {
             for (unsigned int run = 1; run <= 30; ++run)
@@ -126,23 +130,21 @@ namespace
 void ompl_mfa::paper::studyFunctions(const StudyOptions &options)
 {
     const auto jobs = makeJobs(options.functionRuns);
-    std::vector<double> errors(jobs.size());
-    runParallel(jobs.size(), options.threads,
-                [&](std::size_t i)
-                {
-                    TestFunction function(jobs[i].function, jobs[i].dimension, drawShift(jobs[i]));
-                    const Run run = runContender(jobs[i].algorithm, function, function.lower(), function.upper(),
-                                                 -1e300, jobs[i].run);
-                    const double optimum = function.evaluate(function.optimum(), nullptr).cost;
-                    errors[i] = std::max(0.0, run.best.cost - optimum);
-                });
-    std::ofstream out(options.outputFolder + "/functions.csv");
-    if (!out)
-        throw InputError("cannot write '" + options.outputFolder + "/functions.csv'");
-    out.imbue(std::locale::classic());
-    out << std::setprecision(10) << "function,dimension,moved,algorithm,run,error\n";
+    std::vector<StudyRun> runs;
+    runs.reserve(jobs.size());
+    for (const Job &job : jobs)
+        runs.push_back({{{"function", job.function},
+                         {"dimension", job.dimension},
+                         {"moved", job.moved},
+                         {"algorithm", job.algorithm},
+                         {"run", job.run}},
+                        [job] {
+                            return Json{{"error", numberToJson(errorOf(job))}};
+                        }});
+    const std::vector<Json> results = makeStudyRuns(options, "functions", "", runs);
+    auto out = openTable(options, "functions.csv", "function,dimension,moved,algorithm,run,error");
     for (std::size_t i = 0; i < jobs.size(); ++i)
         out << jobs[i].function << "," << jobs[i].dimension << "," << (jobs[i].moved ? 1 : 0) << ","
-            << jobs[i].algorithm << "," << jobs[i].run << "," << errors[i] << "\n";
-    writePopulations(options.outputFolder + "/populations.csv");
+            << jobs[i].algorithm << "," << jobs[i].run << "," << numberFrom(results[i].at("error")) << "\n";
+    writePopulations(options);
 }

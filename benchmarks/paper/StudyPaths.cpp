@@ -34,29 +34,26 @@
 
 /* Author: the ompl_mfa authors */
 
-#include <atomic>
-#include <exception>
 #include <fstream>
-#include <iomanip>
-#include <iostream>
-#include <limits>
-#include <locale>
-#include <mutex>
-#include <thread>
+#include <iterator>
 #include <vector>
 
-#include "ompl_mfa/InputError.h"
 #include "paper/Contender.h"
 #include "paper/PlannerContender.h"
 #include "paper/Study.h"
+#include "paper/StudyRuns.h"
 #include "paper/StudyScenes.h"
 
+using ompl_mfa::paper::Json;
+using ompl_mfa::paper::numberFrom;
+using ompl_mfa::paper::numberToJson;
 using ompl_mfa::paper::PathProblem;
 using ompl_mfa::paper::PathScene;
 using ompl_mfa::paper::Points;
 using ompl_mfa::paper::Run;
 using ompl_mfa::paper::SLICES;
 using ompl_mfa::paper::StudyOptions;
+using ompl_mfa::paper::StudyRun;
 
 namespace
 {
@@ -76,16 +73,6 @@ namespace
         Run run;
         Points path;
     };
-
-    std::ofstream openTable(const StudyOptions &options, const std::string &name, const std::string &header)
-    {
-        std::ofstream out(options.outputFolder + "/" + name);
-        if (!out)
-            throw ompl_mfa::InputError("cannot write '" + options.outputFolder + "/" + name + "'");
-        out.imbue(std::locale::classic());
-        out << std::setprecision(10) << header << "\n";
-        return out;
-    }
 
     bool isPaperScene(const PathScene &scene)
     {
@@ -133,11 +120,13 @@ namespace
     void writeRuns(const StudyOptions &options, const std::vector<PathScene> &scenes, const std::vector<Job> &jobs,
                    const std::vector<Outcome> &outcomes, const std::string &prefix)
     {
-        auto runs = openTable(options, prefix + "runs.csv",
-                              "scene,algorithm,run,cost,violation,evaluations,evaluations_to_target");
-        auto times = openTable(options, prefix + "times.csv", "scene,algorithm,run,seconds,seconds_to_target");
-        auto traces = openTable(options, prefix + "convergence.csv", "scene,algorithm,run,hundredth,cost");
-        auto paths = openTable(options, prefix + "paths.csv", "scene,algorithm,run,x,y");
+        auto runs = ompl_mfa::paper::openTable(options, prefix + "runs.csv",
+                                               "scene,algorithm,run,cost,violation,evaluations,evaluations_to_target");
+        auto times =
+            ompl_mfa::paper::openTable(options, prefix + "times.csv", "scene,algorithm,run,seconds,seconds_to_target");
+        auto traces =
+            ompl_mfa::paper::openTable(options, prefix + "convergence.csv", "scene,algorithm,run,hundredth,cost");
+        auto paths = ompl_mfa::paper::openTable(options, prefix + "paths.csv", "scene,algorithm,run,x,y");
         for (std::size_t i = 0; i < jobs.size(); ++i)
         {
             const auto &run = outcomes[i].run;
@@ -155,6 +144,48 @@ namespace
         }
     }
 
+    Json outcomeToJson(const Outcome &outcome)
+    {
+        const Run &run = outcome.run;
+        Json trace = Json::array();
+        for (const double cost : run.trace)
+            trace.push_back(numberToJson(cost));
+        Json path = Json::array();
+        for (const auto &point : outcome.path)
+            path.push_back({point.x(), point.y()});
+        return {{"cost", numberToJson(run.best.cost)},
+                {"violation", numberToJson(run.best.violation)},
+                {"evaluations", run.evaluations},
+                {"evaluations_to_target", run.evaluationsToTarget},
+                {"seconds", run.seconds},
+                {"seconds_to_target", run.secondsToTarget},
+                {"trace", trace},
+                {"path", path}};
+    }
+
+    Outcome outcomeFrom(const Json &json)
+    {
+        Outcome outcome;
+        Run &run = outcome.run;
+        run.best = {numberFrom(json.at("violation")), numberFrom(json.at("cost"))};
+        run.evaluations = json.at("evaluations");
+        run.evaluationsToTarget = json.at("evaluations_to_target");
+        run.seconds = json.at("seconds");
+        run.secondsToTarget = json.at("seconds_to_target");
+        for (const Json &cost : json.at("trace"))
+            run.trace.push_back(numberFrom(cost));
+        for (const Json &point : json.at("path"))
+            outcome.path.emplace_back(point.at(0), point.at(1));
+        return outcome;
+    }
+
+    /** \brief What decides a run on a scene beside the program. */
+    std::string textOf(const std::string &file)
+    {
+        std::ifstream in(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    }
+
     std::vector<PathScene> allScenes(const StudyOptions &options)
     {
         auto scenes = ompl_mfa::paper::paperScenes(options.worldFile);
@@ -166,57 +197,32 @@ namespace
     void studyPlanning(const StudyOptions &options, bool planner)
     {
         const auto scenes = allScenes(options);
-        std::vector<double> optima(scenes.size());
-        ompl_mfa::paper::runParallel(
-            scenes.size(), options.threads,
-            [&](std::size_t i)
-            { optima[i] = ompl_mfa::oracle::shortestPath(scenes[i].world, scenes[i].start, scenes[i].goal).length; });
+        std::vector<double> optima;
+        optima.reserve(scenes.size());
+        for (const auto &scene : scenes)
+            optima.push_back(ompl_mfa::oracle::shortestPath(scene.world, scene.start, scene.goal).length);
         const auto jobs = makeJobs(scenes, options, planner);
-        std::vector<Outcome> outcomes(jobs.size());
-        // The planner's runs share OMPL's random number generators and so keep their order.
-        ompl_mfa::paper::runParallel(jobs.size(), planner ? 1 : options.threads,
-                                     [&](std::size_t i)
-                                     { outcomes[i] = runJob(jobs[i], scenes[jobs[i].scene], optima[jobs[i].scene]); });
+        std::vector<StudyRun> runs;
+        runs.reserve(jobs.size());
+        for (const Job &job : jobs)
+            runs.push_back({{{"scene", scenes[job.scene].name}, {"algorithm", job.algorithm}, {"run", job.run}},
+                            [&scene = scenes[job.scene], job, optimum = optima[job.scene]]
+                            { return outcomeToJson(runJob(job, scene, optimum)); }});
+        std::vector<Outcome> outcomes;
+        outcomes.reserve(jobs.size());
+        for (const Json &result :
+             makeStudyRuns(options, planner ? "planner" : "paths", textOf(options.worldFile), runs))
+            outcomes.push_back(outcomeFrom(result));
         writeRuns(options, scenes, jobs, outcomes, planner ? "planner_" : "");
     }
 }  // namespace
 
-void ompl_mfa::paper::runParallel(std::size_t count, unsigned int threads, const std::function<void(std::size_t)> &job)
-{
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr failure;
-    std::mutex mutex;
-    std::vector<std::thread> workers;
-    workers.reserve(threads);
-    for (unsigned int t = 0; t < threads; ++t)
-    {
-        workers.emplace_back(
-            [&]
-            {
-                try
-                {
-                    for (std::size_t i = next++; i < count; i = next++)
-                        job(i);
-                }
-                catch (...)
-                {
-                    const std::lock_guard<std::mutex> lock(mutex);
-                    failure = std::current_exception();
-                }
-            });
-    }
-    for (auto &worker : workers)
-        worker.join();
-    if (failure)
-        std::rethrow_exception(failure);
-}
-
 void ompl_mfa::paper::writeScenes(const StudyOptions &options)
 {
-    auto table =
-        openTable(options, "scenes.csv", "scene,obstacles,start_x,start_y,goal_x,goal_y,optimum,slice_optimum");
-    auto obstacles = openTable(options, "obstacles.csv", "scene,obstacle,radius,x,y");
-    auto paths = openTable(options, "optima.csv", "scene,x,y");
+    auto table = ompl_mfa::paper::openTable(options, "scenes.csv",
+                                            "scene,obstacles,start_x,start_y,goal_x,goal_y,optimum,slice_optimum");
+    auto obstacles = ompl_mfa::paper::openTable(options, "obstacles.csv", "scene,obstacle,radius,x,y");
+    auto paths = ompl_mfa::paper::openTable(options, "optima.csv", "scene,x,y");
     for (const auto &scene : allScenes(options))
     {
         const auto exact = oracle::shortestPath(scene.world, scene.start, scene.goal);
@@ -251,23 +257,34 @@ void ompl_mfa::paper::studySlices(const StudyOptions &options)
     const double optimum = oracle::shortestPath(scene.world, scene.start, scene.goal).length;
     const std::vector<unsigned int> counts{4, 6, 8, 12, 16, 24};
     const std::vector<std::string> algorithms{"ga", "fa", "fa_long", "mfa", "sade", "abc"};
-    const std::size_t runs = options.sliceRuns;
-    std::vector<Run> results(counts.size() * algorithms.size() * runs);
-    runParallel(results.size(), options.threads,
-                [&](std::size_t i)
-                {
-                    PathProblem problem(scene, counts[i / runs / algorithms.size()]);
-                    results[i] = runContender(algorithms[i / runs % algorithms.size()], problem, problem.lower(),
-                                              problem.upper(), 1.01 * optimum, i % runs + 1);
-                });
-    std::vector<double> optima(counts.size());
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        optima[i] = PathProblem(scene, counts[i]).sliceOptimum(SLICE_RESOLUTION);
+    std::vector<double> optima;
+    std::vector<StudyRun> runs;
+    for (const unsigned int slices : counts)
+    {
+        optima.push_back(PathProblem(scene, slices).sliceOptimum(SLICE_RESOLUTION));
+        for (const auto &algorithm : algorithms)
+        {
+            for (unsigned int run = 1; run <= options.sliceRuns; ++run)
+                runs.push_back({{{"slices", slices}, {"algorithm", algorithm}, {"run", run}},
+                                [&scene, slices, algorithm, optimum, run]
+                                {
+                                    PathProblem problem(scene, slices);
+                                    Outcome outcome;
+                                    outcome.run = runContender(algorithm, problem, problem.lower(), problem.upper(),
+                                                               1.01 * optimum, run);
+                                    outcome.path = problem.path(outcome.run.x);
+                                    return outcomeToJson(outcome);
+                                }});
+        }
+    }
+    const std::vector<Json> results = makeStudyRuns(options, "slices", textOf(options.worldFile), runs);
     auto table = openTable(options, "slices.csv", "slices,slice_optimum,algorithm,run,cost,violation");
     for (std::size_t i = 0; i < results.size(); ++i)
     {
-        const std::size_t k = i / runs / algorithms.size();
-        table << counts[k] << "," << optima[k] << "," << algorithms[i / runs % algorithms.size()] << "," << i % runs + 1
-              << "," << results[i].best.cost << "," << results[i].best.violation << "\n";
+        const Json &key = runs[i].key;
+        const Run run = outcomeFrom(results[i]).run;
+        table << key.at("slices").get<unsigned int>() << "," << optima[i / options.sliceRuns / algorithms.size()] << ","
+              << key.at("algorithm").get<std::string>() << "," << key.at("run").get<unsigned int>() << ","
+              << run.best.cost << "," << run.best.violation << "\n";
     }
 }

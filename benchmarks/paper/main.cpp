@@ -44,7 +44,6 @@
 #include <vector>
 
 #include <ompl/util/Console.h>
-#include <ompl/util/RandomNumbers.h>
 #include <CLI/CLI.hpp>
 
 #include "ompl_mfa/InputError.h"
@@ -53,6 +52,8 @@
 
 namespace
 {
+    constexpr int SIGNAL_STATUS = 128;
+
     int run(int argc, char **argv)
     {
         ompl_mfa::paper::StudyOptions options;
@@ -62,13 +63,14 @@ namespace
         app.add_option("--paper-runs", options.paperRuns, "Runs on the paper's scene")->check(CLI::Range(2, 1000));
         app.add_option("--seeded-runs", options.seededRuns, "Runs on each seeded scene")->check(CLI::Range(2, 1000));
         app.add_option("--function-runs", options.functionRuns, "Runs on each function")->check(CLI::Range(2, 1000));
-        app.add_option("--threads", options.threads, "Threads")->check(CLI::Range(1, 256));
+        app.add_option("--jobs", options.jobs, "Runs at the same time")->check(CLI::Range(1, 256));
         app.add_option("--slice-runs", options.sliceRuns, "Runs for each number of slices")->check(CLI::Range(2, 1000));
         std::vector<std::string> parts{"scenes", "planner", "paths", "slices", "functions"};
         app.add_option("--parts", parts, "What to run: scenes, planner, paths, slices, functions")->delimiter(',');
+        auto *resume = app.add_flag("--resume", options.resume, "Make only the runs that an earlier call did not");
+        app.add_flag("--overwrite", options.overwrite, "Drop the runs of an interrupted study")->excludes(resume);
         CLI11_PARSE(app, argc, argv);
         ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
-        ompl::RNG::setSeed(1);
         std::filesystem::create_directories(options.outputFolder);
         const std::vector<std::pair<std::string, void (*)(const ompl_mfa::paper::StudyOptions &)>> steps{
             {"scenes", ompl_mfa::paper::writeScenes},
@@ -94,6 +96,12 @@ int main(int argc, char **argv)
     try
     {
         return run(argc, argv);
+    }
+    catch (const ompl_mfa::paper::Interrupted &interrupted)
+    {
+        std::fputs(interrupted.what(), stderr);
+        std::fputs("\n", stderr);
+        return SIGNAL_STATUS + interrupted.signal();
     }
     catch (const ompl_mfa::InputError &error)
     {

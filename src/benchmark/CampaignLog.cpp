@@ -34,18 +34,21 @@
 
 /* Author: the ompl_mfa authors */
 
-#include <algorithm>
-#include <locale>
+#include "benchmark/CampaignLog.h"
+
 #include <map>
 #include <set>
-#include <sstream>
+#include <stdexcept>
+#include <string>
 
 #include <ompl/base/PlannerStatus.h>
 #include <ompl/tools/benchmark/MachineSpecs.h>
 
-#include "ompl_mfa/benchmark/Campaign.h"
+#include "ompl_mfa/InputError.h"
 
 namespace ob = ompl::base;
+using ompl_mfa::campaign::JournalHeader;
+using ompl_mfa::campaign::Json;
 
 namespace ompl_mfa
 {
@@ -119,20 +122,19 @@ namespace ompl_mfa
 
         std::string describeLimits(const CampaignDescription &description)
         {
-            std::ostringstream text;
-            text.imbue(std::locale::classic());
-            text << "Campaign:\n  Each run is a process of its own.\n"
-                 << "  Run k (from 0) of every planner: seed = SplitMix64 output number k + 1 of base seed "
-                 << description.seed << ", folded to [1, 2^31 - 1]; property 'seed' of each run.\n";
+            std::string text =
+                "Campaign:\n  Each run is a process of its own.\n"
+                "  Run k (from 0) of every planner: seed = SplitMix64 output number k + 1 of base seed " +
+                std::to_string(description.seed) + ", folded to [1, 2^31 - 1]; property 'seed' of each run.\n";
             if (description.settings.iterationLimit > 0)
             {
-                text << "  Evaluations of the termination condition: at most " << description.settings.iterationLimit
-                     << " a run.\n";
+                text += "  Evaluations of the termination condition: at most " +
+                        std::to_string(description.settings.iterationLimit) + " a run.\n";
             }
-            return text.str();
+            return text;
         }
 
-        std::string assembleSetup(const CampaignDescription &description, const std::vector<RunRecord> &records)
+        std::string assembleSetup(const std::string &limits, const std::vector<RunRecord> &records)
         {
             std::string problem;
             std::map<std::string, std::string> planners;
@@ -150,59 +152,146 @@ namespace ompl_mfa
             {
                 text += planner.second;
             }
-            return text + describeLimits(description);
+            return text + limits;
         }
 
-        LogProperties experimentProperties(const Campaign &campaign, const JournalHeader &header)
+        LogProperties experimentProperties(const CampaignDescription &description)
         {
-            const CampaignDescription &description = campaign.description();
             LogProperties properties;
             properties["base_seed INTEGER"] = std::to_string(description.seed);
             properties["run_seed TEXT"] = "splitmix64(base_seed+run)";
-            properties["campaign TEXT"] = header.campaign;
             properties["ompl_mfa_version TEXT"] = OMPL_MFA_VERSION;
             if (description.settings.iterationLimit > 0)
             {
                 properties["iteration_limit INTEGER"] = std::to_string(description.settings.iterationLimit);
             }
-            if (!header.shard.empty())
-            {
-                properties["shard TEXT"] = header.shard;
-            }
             return properties;
         }
     }  // namespace
 
-    BenchmarkLog assembleLog(const Campaign &campaign, const std::vector<RunRecord> &records,
-                             const JournalHeader &header)
+    JournalHeader makeJournalHeader(const Campaign &campaign)
     {
         const CampaignDescription &description = campaign.description();
-        std::map<std::string, std::map<unsigned int, const RunRecord *>> runs;
-        std::set<std::string> progressNames;
-        for (const RunRecord &record : records)
-        {
-            runs[record.planner][record.run] = &record;
-            progressNames.insert(record.progressNames.begin(), record.progressNames.end());
-        }
-
         BenchmarkLog log;
         log.version = OMPL_MFA_OMPL_VERSION;
         log.experiment = description.name;
-        log.properties = experimentProperties(campaign, header);
+        log.properties = experimentProperties(description);
         log.host = ompl::machine::getHostname();
-        log.start = header.start;
-        log.setup = assembleSetup(description, records);
+        log.setup = describeLimits(description);
         log.cpu = ompl::machine::getCPUInfo();
         log.seed = description.seed;
         log.timeLimit = description.settings.timeLimit;
         log.memoryLimit = description.settings.memoryLimit;
         log.runCount = description.runCount;
-        log.duration = header.duration;
         log.enums = {statusNames(), terminationNames()};
         for (const CampaignPlanner &planner : description.planners)
         {
-            const std::string name = "geometric_" + planner.name;
-            log.planners.push_back(assemblePlanner(name, runs[name], progressNames));
+            log.planners.emplace_back();
+            log.planners.back().name = "geometric_" + planner.name;
+        }
+        JournalHeader header;
+        header.campaign = campaign.fingerprint();
+        header.description = toJson(log);
+        return header;
+    }
+
+    CampaignRuns readCampaignRuns(const std::filesystem::path &file)
+    {
+        CampaignRuns runs;
+        runs.header = campaign::readJournal(
+            file, [&runs](const Json &record, std::size_t) { runs.records.push_back(runRecordFrom(record)); });
+        try
+        {
+            logHeadFrom(runs.header.description);
+        }
+        catch (const std::invalid_argument &error)
+        {
+            throw InputError(file.string() + ":1: " + error.what());
+        }
+        return runs;
+    }
+
+    Json toJson(const BenchmarkLog &logHead)
+    {
+        Json enums = Json::array();
+        for (const LogEnum &entry : logHead.enums)
+        {
+            enums.push_back({{"property", entry.property}, {"names", entry.names}});
+        }
+        Json planners = Json::array();
+        for (const PlannerLog &planner : logHead.planners)
+        {
+            planners.push_back(planner.name);
+        }
+        return {{"version", logHead.version},
+                {"experiment", logHead.experiment},
+                {"properties", logHead.properties},
+                {"host", logHead.host},
+                {"cpu", logHead.cpu},
+                {"setup", logHead.setup},
+                {"seed", logHead.seed},
+                {"time_limit", logHead.timeLimit},
+                {"memory_limit", logHead.memoryLimit},
+                {"run_count", logHead.runCount},
+                {"enums", enums},
+                {"planners", planners}};
+    }
+
+    BenchmarkLog logHeadFrom(const Json &description)
+    {
+        try
+        {
+            BenchmarkLog log;
+            description.at("version").get_to(log.version);
+            description.at("experiment").get_to(log.experiment);
+            description.at("properties").get_to(log.properties);
+            description.at("host").get_to(log.host);
+            description.at("cpu").get_to(log.cpu);
+            description.at("setup").get_to(log.setup);
+            description.at("seed").get_to(log.seed);
+            description.at("time_limit").get_to(log.timeLimit);
+            description.at("memory_limit").get_to(log.memoryLimit);
+            description.at("run_count").get_to(log.runCount);
+            for (const Json &entry : description.at("enums"))
+            {
+                log.enums.push_back({entry.at("property"), entry.at("names")});
+            }
+            for (const Json &name : description.at("planners"))
+            {
+                log.planners.emplace_back();
+                name.get_to(log.planners.back().name);
+            }
+            return log;
+        }
+        catch (const Json::exception &error)
+        {
+            throw std::invalid_argument(std::string("not the journal of 'ompl_mfa benchmark': ") + error.what());
+        }
+    }
+
+    BenchmarkLog assembleLog(const CampaignRuns &campaignRuns)
+    {
+        const JournalHeader &header = campaignRuns.header;
+        std::map<std::string, std::map<unsigned int, const RunRecord *>> runs;
+        std::set<std::string> progressNames;
+        for (const RunRecord &record : campaignRuns.records)
+        {
+            runs[record.planner][record.run] = &record;
+            progressNames.insert(record.progressNames.begin(), record.progressNames.end());
+        }
+
+        BenchmarkLog log = logHeadFrom(header.description);
+        log.properties["campaign TEXT"] = header.campaign;
+        if (!header.shard.empty())
+        {
+            log.properties["shard TEXT"] = header.shard;
+        }
+        log.start = header.start;
+        log.setup = assembleSetup(log.setup, campaignRuns.records);
+        log.duration = header.duration;
+        for (PlannerLog &planner : log.planners)
+        {
+            planner = assemblePlanner(planner.name, runs[planner.name], progressNames);
         }
         return log;
     }

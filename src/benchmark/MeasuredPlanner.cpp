@@ -34,9 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/MeasuredPlanner.h"
-
-#include <unistd.h>
+#include "benchmark/MeasuredPlanner.h"
 
 #include <algorithm>
 #include <chrono>
@@ -47,7 +45,7 @@
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/String.h>
 
-#include "ompl_mfa/benchmark/RunRecord.h"
+#include "benchmark/RunRecord.h"
 #include "path/CountingValidityChecker.h"
 #include "text/NumberText.h"
 
@@ -127,9 +125,7 @@ namespace ompl_mfa
         publishesCost_ = std::find(names_.begin(), names_.end(), BEST_COST) != names_.end();
 
         run_.collisionChecks = 0;
-        run_.residentAtStart = residentMemory(getpid());
-        run_.solveStart = monotonicSeconds();
-        run_.phase = RunPhase::SOLVING;
+        campaign::startSolving(run_);
         std::thread sampler([this] { sampleUntilSolved(); });
         const auto stopSampling = [this, &sampler]
         {

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/MeasuredRun.h"
+#include "benchmark/MeasuredRun.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +48,7 @@
 #include <ompl/util/RandomNumbers.h>
 #include <ompl/util/String.h>
 
+#include "benchmark/MeasuredPlanner.h"
 #include "benchmark/PathMetrics.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 

@@ -34,16 +34,14 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/RunRecord.h"
+#include "benchmark/RunRecord.h"
 
 #include <stdexcept>
 
-#include <nlohmann/json.hpp>
-
+#include "ompl_mfa/benchmark/Campaign.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
-#include "text/CLocaleScope.h"
 
-using Json = nlohmann::json;
+using ompl_mfa::campaign::Json;
 
 namespace ompl_mfa
 {
@@ -71,32 +69,27 @@ namespace ompl_mfa
         }
     }  // namespace
 
-    std::string writeRunRecord(const RunRecord &record)
+    Json toJson(const RunRecord &record)
     {
-        const Json json{{"planner", record.planner},
-                        {"run", record.run},
-                        {"seed", record.seed},
-                        {"termination", static_cast<int>(record.termination)},
-                        {"signal", record.signal},
-                        {"message", record.message},
-                        {"properties", record.properties},
-                        {"common", record.common},
-                        {"setup", record.setup},
-                        {"progress_names", record.progressNames},
-                        {"progress", progressToJson(record.progress)},
-                        {"path", record.path},
-                        {"path_cost", record.pathCost}};
-        // A crashed planner may have printed anything: bytes that are not UTF-8 must not lose the record.
-        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+        return {{"planner", record.planner},
+                {"run", record.run},
+                {"seed", record.seed},
+                {"termination", static_cast<int>(record.termination)},
+                {"signal", record.signal},
+                {"message", record.message},
+                {"properties", record.properties},
+                {"common", record.common},
+                {"setup", record.setup},
+                {"progress_names", record.progressNames},
+                {"progress", progressToJson(record.progress)},
+                {"path", record.path},
+                {"path_cost", record.pathCost}};
     }
 
-    RunRecord readRunRecord(const std::string &line)
+    RunRecord runRecordFrom(const Json &json)
     {
-        // The JSON library hands numbers to strtod().
-        const CLocaleScope plainNumbers;
         try
         {
-            const Json json = Json::parse(line);
             RunRecord record;
             json.at("planner").get_to(record.planner);
             json.at("run").get_to(record.run);
@@ -111,7 +104,25 @@ namespace ompl_mfa
             record.progress = progressFromJson(json.at("progress"));
             json.at("path").get_to(record.path);
             json.at("path_cost").get_to(record.pathCost);
+            record.duration = json.value("duration", 0.0);
             return record;
+        }
+        catch (const Json::exception &error)
+        {
+            throw std::invalid_argument(std::string("not the record of a run: ") + error.what());
+        }
+    }
+
+    std::string writeRunRecord(const RunRecord &record)
+    {
+        return campaign::jsonLine(toJson(record));
+    }
+
+    RunRecord readRunRecord(const std::string &line)
+    {
+        try
+        {
+            return runRecordFrom(campaign::parseJson(line));
         }
         catch (const Json::exception &error)
         {

@@ -60,6 +60,8 @@ namespace
     using ompl_mfa::cli::finiteOrNull;
 
     constexpr int SIGNAL_STATUS = 128;
+    /* Of the property `termination`. */
+    const char *const RETURNED = "0";
     constexpr double LONGEST_GRACE = 1e9;
     const char *const ACCEPTED_GRACE = "a number from 0 to 1e9 (seconds)";
 
@@ -86,32 +88,34 @@ namespace
         std::vector<double> simplifiedCosts;
     };
 
-    void addFinite(std::vector<double> &values, const ompl_mfa::RunRecord &record, const std::string &property)
+    std::string propertyOf(const ompl_mfa::LogProperties &run, const std::string &property)
     {
-        const auto found = record.properties.find(property);
+        const auto found = run.find(property);
+        return found == run.end() ? "" : found->second;
+    }
+
+    void addFinite(std::vector<double> &values, const ompl_mfa::LogProperties &run, const std::string &property)
+    {
         double value = 0.0;
-        if (found != record.properties.end() && ompl_mfa::readNumber(found->second, value) && std::isfinite(value))
+        if (ompl_mfa::readNumber(propertyOf(run, property), value) && std::isfinite(value))
             values.push_back(value);
     }
 
-    std::vector<PlannerSummary> summarize(const ompl_mfa::CampaignResult &result)
+    std::vector<PlannerSummary> summarize(const ompl_mfa::BenchmarkLog &log)
     {
         std::vector<PlannerSummary> summaries;
-        for (const auto &planner : result.log.planners)
+        for (const auto &planner : log.planners)
         {
             PlannerSummary summary;
             summary.name = planner.name.substr(planner.name.find('_') + 1);
-            for (const auto &record : result.records)
+            for (const auto &run : planner.runs)
             {
-                if (record.planner != planner.name)
-                    continue;
                 ++summary.runs;
-                const auto solved = record.properties.find("solved BOOLEAN");
-                summary.solved += solved != record.properties.end() && solved->second == "1" ? 1 : 0;
-                summary.ended += record.termination == ompl_mfa::RunTermination::RETURNED ? 0 : 1;
-                addFinite(summary.firstSolutions, record, "time to first solution REAL");
-                addFinite(summary.costs, record, "path cost REAL");
-                addFinite(summary.simplifiedCosts, record, "simplified path cost REAL");
+                summary.solved += propertyOf(run, "solved BOOLEAN") == "1" ? 1 : 0;
+                summary.ended += propertyOf(run, "termination ENUM") == RETURNED ? 0 : 1;
+                addFinite(summary.firstSolutions, run, "time to first solution REAL");
+                addFinite(summary.costs, run, "path cost REAL");
+                addFinite(summary.simplifiedCosts, run, "simplified path cost REAL");
             }
             summaries.push_back(summary);
         }
@@ -196,7 +200,7 @@ namespace
         options.campaign.terminal = isatty(STDERR_FILENO) != 0;
 
         const ompl_mfa::CampaignResult result = campaign.run(options.campaign);
-        const auto summaries = summarize(result);
+        const auto summaries = summarize(result.log);
         if (options.json)
             printJson(options.campaign.log.string(), summaries);
         else

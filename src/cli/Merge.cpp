@@ -34,7 +34,6 @@
 
 /* Author: the ompl_mfa authors */
 
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -43,10 +42,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/CampaignMerge.h"
 #include "benchmark/FileNames.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
-#include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 #include "text/NumberText.h"
 
@@ -75,12 +74,8 @@ namespace
     void merge(Options options)
     {
         options.output = ompl_mfa::writtenPath(options.output, "--output " + options.output).string();
-        std::vector<ompl_mfa::BenchmarkLog> logs;
-        logs.reserve(options.parts.size());
-        for (const auto &part : options.parts)
-            logs.push_back(ompl_mfa::readBenchmarkLog(std::filesystem::path(part)));
-        const ompl_mfa::BenchmarkLog merged = ompl_mfa::mergeBenchmarkLogs(logs, options.parts, options.allowMissing);
-        ompl_mfa::writeBenchmarkLog(std::filesystem::path(options.output), merged);
+        const ompl_mfa::BenchmarkLog merged =
+            ompl_mfa::mergeCampaign(options.parts, options.output, options.allowMissing);
         if (options.json)
         {
             printJson(options, merged);
@@ -91,16 +86,19 @@ namespace
             runs += planner.runs.size();
         const ompl_mfa::PlainNumbers plainNumbers(std::cout);
         std::cout << options.output << ": " << runs << " runs of " << merged.planners.size() << " planners from "
-                  << logs.size() << " parts" << std::endl;
+                  << options.parts.size() << " parts" << std::endl;
     }
 }  // namespace
 
 void ompl_mfa::cli::addMergeCommand(CLI::App &app)
 {
     const auto options = std::make_shared<Options>();
-    auto *command = app.add_subcommand("merge", "Join the logs of the parts of a campaign into one");
-    command->add_option("parts", options->parts, "Logs of 'ompl_mfa benchmark --shard I/N'")->required();
-    command->add_option("--output", options->output, "The log that is written")->required();
+    auto *command = app.add_subcommand("merge", "Join the parts of a campaign into one log");
+    command
+        ->add_option("parts", options->parts,
+                     "Logs of 'ompl_mfa benchmark --shard I/N', with their journals, or the journals")
+        ->required();
+    command->add_option("--output", options->output, "The log that is written, with its journal")->required();
     command->add_flag("--allow-missing", options->allowMissing, "Join the parts even when runs are missing");
     command->add_flag("--json", options->json, "Print one JSON document");
     command->callback([options] { merge(*options); });

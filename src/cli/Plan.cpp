@@ -54,6 +54,7 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmark/FileNames.h"
+#include "benchmark/MeasuredPlanner.h"
 #include "cli/Canvas.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
@@ -61,7 +62,6 @@
 #include "cli/ProblemPicture.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
-#include "ompl_mfa/benchmark/MeasuredPlanner.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 #include "ompl_mfa/planner/MFA.h"

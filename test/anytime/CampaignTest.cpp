@@ -36,7 +36,7 @@
 
 #include "anytime/Campaign.h"
 
-#include <fstream>
+#include <filesystem>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -47,54 +47,89 @@
 #include "ompl_mfa/InputError.h"
 
 namespace anytime = ompl_mfa::anytime;
+using ompl_mfa::campaign::Json;
 
 namespace
 {
     class Campaign : public testing::Test
     {
     protected:
-        ~Campaign() override
+        Campaign()
         {
-            std::filesystem::remove(file_);
+            options_.journal =
+                std::filesystem::temp_directory_path() / ("anytime-campaign-" + std::to_string(getpid()) + ".jsonl");
+            options_.progress = &progress_;
         }
 
-        std::size_t lineCount() const
+        ~Campaign() override
         {
-            std::ifstream in(file_);
-            std::size_t count = 0;
-            for (std::string line; std::getline(in, line);)
-                ++count;
-            return count;
+            std::filesystem::remove(options_.journal);
+        }
+
+        std::vector<Json> runs() const
+        {
+            std::vector<Json> all;
+            ompl_mfa::campaign::readJournal(options_.journal,
+                                            [&all](const Json &run, std::size_t) { all.push_back(run); });
+            return all;
         }
 
         anytime::CampaignRequest request_{
-            anytime::selectWorlds("^(wall_gap|dividing_walls)_2d_1$"), {"rrtconnect"}, 2, 5.0, anytime::Clock::CPU, 1};
-        std::filesystem::path file_{std::filesystem::temp_directory_path() /
-                                    ("anytime-campaign-" + std::to_string(getpid()) + ".jsonl")};
+            anytime::selectWorlds("^(wall_gap|dividing_walls)_2d_1$"), {"rrtconnect"}, 2, 5.0, anytime::Clock::CPU};
         std::ostringstream progress_;
+        ompl_mfa::campaign::RunOptions options_;
     };
 }  // namespace
 
 TEST_F(Campaign, MakesEveryRunOnce)
 {
-    anytime::runCampaign(request_, file_, progress_);
-    EXPECT_EQ(lineCount(), 4U);
-    EXPECT_NE(progress_.str().find("[4/4]"), std::string::npos) << progress_.str();
+    EXPECT_EQ(runCampaign(request_, options_).missing, 0U);
+    EXPECT_EQ(runs().size(), 4U);
+    EXPECT_NE(progress_.str().find("4/4  "), std::string::npos) << progress_.str();
     request_.seeds = 3;
-    progress_.str("");
-    anytime::runCampaign(request_, file_, progress_);
-    EXPECT_EQ(lineCount(), 6U);
-    EXPECT_NE(progress_.str().find("[2/2]"), std::string::npos) << progress_.str();
+    runCampaign(request_, options_);
+    EXPECT_EQ(runs().size(), 6U);
+    request_.worlds.pop_back();
+    request_.planners = {"rrtconnect:range=0.1", "rrtconnect"};
+    runCampaign(request_, options_);
+    EXPECT_EQ(runs().size(), 9U);
+    request_.timeLimit = 4.0;
+    request_.seeds = 1;
+    runCampaign(request_, options_);
+    EXPECT_EQ(runs().size(), 11U);
+    options_.overwrite = true;
+    runCampaign(request_, options_);
+    EXPECT_EQ(runs().size(), 2U);
+}
+
+TEST_F(Campaign, KeepsWhatTheStatisticsRead)
+{
+    request_.planners = {"mfa:slices=3"};
+    request_.timeLimit = 0.2;
+    request_.seeds = 1;
+    runCampaign(request_, options_);
+    const Json run = runs().at(1);
+    EXPECT_EQ(run["world"], request_.worlds[1].name);
+    EXPECT_EQ(run["planner"], "mfa:slices=3");
+    EXPECT_EQ(run["seed"], 1);
+    EXPECT_EQ(run["time_limit"], 0.2);
+    EXPECT_EQ(run["clock"], "cpu");
+    for (const char *field : {"status", "note", "solved", "valid", "cost", "wall", "cpu", "checks", "path_check",
+                              "path_checks", "looks", "longest_gap", "path", "improvements", "family"})
+        EXPECT_TRUE(run.contains(field)) << field;
+    ASSERT_FALSE(run["improvements"].empty());
+    EXPECT_EQ(run["improvements"][0].size(), 4U);
 }
 
 TEST_F(Campaign, RefusesWhatCannotRun)
 {
-    request_.jobs = 0;
-    EXPECT_THROW(anytime::runCampaign(request_, file_, progress_), ompl_mfa::InputError);
-    request_.jobs = 1;
+    options_.jobs = 0;
+    EXPECT_THROW(runCampaign(request_, options_), ompl_mfa::InputError);
+    options_.jobs = 1;
     request_.planners = {"no_such_planner"};
-    EXPECT_THROW(anytime::runCampaign(request_, file_, progress_), ompl_mfa::InputError);
+    EXPECT_THROW(runCampaign(request_, options_), ompl_mfa::InputError);
+    EXPECT_FALSE(std::filesystem::exists(options_.journal));
     request_.planners = {"rrtconnect:range=much"};
-    EXPECT_THROW(anytime::runCampaign(request_, file_, progress_), ompl_mfa::InputError);
-    EXPECT_EQ(lineCount(), 0U);
+    EXPECT_THROW(runCampaign(request_, options_), ompl_mfa::InputError);
+    EXPECT_EQ(runs().size(), 0U);
 }

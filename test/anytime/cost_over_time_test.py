@@ -125,7 +125,8 @@ class Files(unittest.TestCase):
 
     def test_one_csv_row_a_world_and_planner(self):
         runs = self.path / "runs.jsonl"
-        runs.write_text("".join(json.dumps(record(planner, seed, [(0.1 * seed, 1.0)], 1.0)) + "\n"
+        header = {"campaign": "ompl_mfa_anytime", "shard": "", "start": "2026-01-02 03:04:05", "description": None}
+        runs.write_text(json.dumps(header) + "\n" + "".join(json.dumps(record(planner, seed, [(0.1 * seed, 1.0)], 1.0)) + "\n"
                                 for planner in ("mfa", "bitstar") for seed in (1, 2, 3)))
         table, text = self.path / "anytime.csv", self.path / "anytime.md"
         subprocess.run(["/usr/bin/python3", ANYTIME / "report.py", runs, "--csv", table, "--markdown", text],

@@ -55,10 +55,12 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 
-#include "benchmark/CampaignProgress.h"
+#include "benchmark/CampaignLog.h"
+#include "benchmark/CampaignMerge.h"
 #include "benchmark/InputErrorOf.h"
 #include "benchmark/PlanarProblem.h"
 #include "benchmark/TestPlanners.h"
+#include "campaign/Campaign.h"
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -140,6 +142,16 @@ namespace
             return text.str();
         }
 
+        /* The log of the runs in the journal, which is what must stand in the log's file. */
+        BenchmarkLog logOnDisk() const
+        {
+            BenchmarkLog log = assembleLog(readCampaignRuns(Campaign::journalFile(options_.log)));
+            std::ostringstream text;
+            writeBenchmarkLog(text, log);
+            EXPECT_EQ(logText(), text.str());
+            return log;
+        }
+
         std::size_t journalRuns() const
         {
             std::ifstream in(Campaign::journalFile(options_.log));
@@ -186,7 +198,7 @@ TEST_F(CampaignTest, LogsEveryRunOfEveryPlanner)
     const CampaignResult result = campaign.run(options_);
     EXPECT_EQ(result.interruptedBy, 0);
     EXPECT_EQ(result.missing, 0u);
-    const BenchmarkLog log = readBenchmarkLog(options_.log);
+    const BenchmarkLog log = logOnDisk();
     ASSERT_EQ(log.planners.size(), 2u);
     EXPECT_EQ(log.planners[0].name, "geometric_RRTConnect");
     EXPECT_EQ(log.planners[1].name, "geometric_RRTstar");
@@ -254,7 +266,7 @@ TEST_F(CampaignTest, SurvivesItsPlanners)
     const CampaignResult result = campaign.run(options_);
     EXPECT_EQ(result.missing, 0u);
 
-    const BenchmarkLog log = readBenchmarkLog(options_.log);
+    const BenchmarkLog log = logOnDisk();
     ASSERT_EQ(log.planners.size(), 7u);
     struct Expected
     {
@@ -302,9 +314,9 @@ TEST_F(CampaignTest, MemoryWithoutEndIsStoppedAtItsLimit)
     description.settings.memoryLimit = 60.0;
     description.runCount = 1;
     const CampaignResult result = Campaign(description).run(options_);
-    EXPECT_EQ(result.records.at(0).termination, RunTermination::MEMORY_LIMIT);
-    EXPECT_EQ(value(result.records[0].properties, "status ENUM"),
-              std::to_string(static_cast<int>(ob::PlannerStatus::ABORT)));
+    const LogProperties &run = result.log.planners.at(0).runs.at(0);
+    EXPECT_EQ(value(run, "termination ENUM"), std::to_string(static_cast<int>(RunTermination::MEMORY_LIMIT)));
+    EXPECT_EQ(value(run, "status ENUM"), std::to_string(static_cast<int>(ob::PlannerStatus::ABORT)));
 }
 
 TEST_F(CampaignTest, ResumesAfterBeingKilled)
@@ -327,7 +339,7 @@ TEST_F(CampaignTest, ResumesAfterBeingKilled)
     EXPECT_EQ(result.missing, 0u);
     const std::string text = progress.str();
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), 20 - before);
-    const BenchmarkLog log = readBenchmarkLog(options_.log);
+    const BenchmarkLog log = logOnDisk();
     for (const PlannerLog &planned : log.planners)
     {
         ASSERT_EQ(planned.runs.size(), 10u);
@@ -351,14 +363,14 @@ TEST_F(CampaignTest, EndsCleanlyOnCtrlC)
     waitpid(pid, &status, 0);
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), SIGINT);
-    const BenchmarkLog log = readBenchmarkLog(options_.log);
+    const BenchmarkLog log = logOnDisk();
     ASSERT_EQ(log.planners.size(), 2u);
     EXPECT_EQ(log.planners[0].runs.size() + log.planners[1].runs.size(), journalRuns());
     EXPECT_GE(journalRuns(), 3u);
 
     options_.resume = true;
     EXPECT_EQ(campaign.run(options_).missing, 0u);
-    EXPECT_EQ(readBenchmarkLog(options_.log).planners[1].runs.size(), 10u);
+    EXPECT_EQ(logOnDisk().planners[1].runs.size(), 10u);
 }
 
 TEST_F(CampaignTest, OnlyResumesItself)
@@ -416,19 +428,19 @@ TEST_F(CampaignTest, ShardsMakeTheWholeCampaign)
     description.settings.iterationLimit = 200;
     const Campaign campaign(description);
     const BenchmarkLog whole = campaign.run(options_).log;
-    std::vector<BenchmarkLog> parts;
-    std::vector<std::string> names;
+    std::vector<std::string> parts;
     options_.shards = 3;
     for (unsigned int shard = 1; shard <= 3; ++shard)
     {
         options_.shard = shard;
         options_.log = folder_ / ("part" + std::to_string(shard) + ".log");
-        campaign.run(options_);
-        parts.push_back(readBenchmarkLog(options_.log));
-        names.push_back(options_.log.string());
-        EXPECT_EQ(parts.back().properties.at("shard TEXT"), std::to_string(shard) + "/3");
+        EXPECT_EQ(campaign.run(options_).log.properties.at("shard TEXT"), std::to_string(shard) + "/3");
+        parts.push_back(options_.log.string());
     }
-    const BenchmarkLog merged = mergeBenchmarkLogs(parts, names);
+    options_.log = folder_ / "merged.log";
+    const BenchmarkLog merged = mergeCampaign(parts, options_.log, false);
+    EXPECT_EQ(logOnDisk().planners.size(), merged.planners.size());
+    EXPECT_EQ(merged.properties, whole.properties);
     ASSERT_EQ(merged.planners.size(), whole.planners.size());
     for (std::size_t i = 0; i < whole.planners.size(); ++i)
     {
@@ -441,10 +453,24 @@ TEST_F(CampaignTest, ShardsMakeTheWholeCampaign)
             }
         }
     }
-    description.seed = 9;
-    options_.log = folder_ / "other.log";
-    parts[1] = Campaign(description).run(options_).log;
-    EXPECT_NE(inputErrorOf([&] { mergeBenchmarkLogs(parts, names); }), "");
+}
+
+TEST_F(CampaignTest, GoesOnFromWhatWasMerged)
+{
+    const Campaign campaign(peacefulDescription());
+    options_.shards = 2;
+    options_.log = folder_ / "part1.log";
+    campaign.run(options_);
+    const std::string part = options_.log.string();
+    options_ = CampaignOptions();
+    options_.log = folder_ / "merged.log";
+    EXPECT_EQ(mergeCampaign({part}, options_.log, true).planners[0].runs.size(), 2u);
+    options_.resume = true;
+    std::ostringstream progress;
+    options_.progress = &progress;
+    EXPECT_EQ(campaign.run(options_).missing, 0u);
+    EXPECT_EQ(progress.str().rfind("4/6  ", 0), 0u) << progress.str();
+    EXPECT_EQ(logOnDisk().planners[1].runs.size(), 3u);
 }
 
 TEST(Campaign, SharesOutEachPlannerEvenly)
@@ -455,14 +481,18 @@ TEST(Campaign, SharesOutEachPlannerEvenly)
         description.planners.push_back(entry(name, slowPlanner(name, 1)));
     }
     description.runCount = 8;
-    const Campaign campaign(description);
+    const auto order = Campaign(description).runs();
     for (unsigned int shards = 1; shards <= 40; ++shards)
     {
         std::set<std::pair<std::size_t, unsigned int>> all;
         std::size_t total = 0;
         for (unsigned int shard = 1; shard <= shards; ++shard)
         {
-            const auto runs = campaign.runs(shard, shards);
+            std::vector<std::pair<std::size_t, unsigned int>> runs;
+            for (const std::size_t index : campaign::shareOf(order.size(), shard, shards))
+            {
+                runs.push_back(order[index]);
+            }
             total += runs.size();
             all.insert(runs.begin(), runs.end());
             EXPECT_LE(runs.size(), 32 / shards + 1);
@@ -529,26 +559,4 @@ TEST_F(CampaignTest, SavesPaths)
     in >> x >> y;
     EXPECT_EQ(x, 1.0);
     EXPECT_EQ(y, 5.0);
-}
-
-TEST(CampaignProgress, ShowsPlannerRunAndTimeLeft)
-{
-    std::ostringstream out;
-    CampaignProgress progress(&out, true, 10, 4);
-    progress.running("RRTstar", 2, 125.0);
-    EXPECT_NE(out.str().find("4/10  RRTstar, run 3  time left 2:05"), std::string::npos) << out.str();
-    EXPECT_EQ(formatDuration(3.4), "3 s");
-    EXPECT_EQ(formatDuration(3725.0), "1:02:05");
-    EXPECT_EQ(formatDuration(-1.0), "0 s");
-
-    std::ostringstream lines;
-    CampaignProgress plain(&lines, false, 2, 0);
-    plain.running("RRTstar", 0, 1.0);
-    EXPECT_EQ(lines.str(), "");
-    RunRecord record;
-    record.planner = "geometric_X";
-    record.termination = RunTermination::SIGNAL;
-    record.signal = SIGSEGV;
-    plain.finished(record);
-    EXPECT_EQ(lines.str(), "1/2  geometric_X, run 1: ended by signal 11 (Segmentation fault)\n");
 }

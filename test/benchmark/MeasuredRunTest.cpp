@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/MeasuredRun.h"
+#include "benchmark/MeasuredRun.h"
 
 #include <algorithm>
 #include <chrono>
@@ -56,10 +56,12 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using ompl_mfa::ProgressSample;
-using ompl_mfa::RunProcess;
 using ompl_mfa::RunRecord;
 using ompl_mfa::RunSettings;
 using ompl_mfa::RunState;
+using ompl_mfa::campaign::makeShared;
+using ompl_mfa::campaign::RunLimits;
+using ompl_mfa::campaign::RunProcess;
 using ompl_mfa_test::planarProblem;
 
 namespace
@@ -73,10 +75,10 @@ namespace
     /* Each in a process of its own, as in a campaign: seeds only count before the first random number. */
     RunRecord run(const ob::PlannerAllocator &planner, const RunSettings &settings, std::uint32_t seed)
     {
+        const auto state = makeShared<RunState>();
         RunProcess process(
-            [&](RunState &state)
-            { return writeRunRecord(measureRun([] { return planarProblem(); }, planner, settings, seed, state)); },
-            ompl_mfa::RunLimits());
+            [&] { return writeRunRecord(measureRun([] { return planarProblem(); }, planner, settings, seed, *state)); },
+            RunLimits(), state);
         process.wait();
         EXPECT_EQ(process.termination(), ompl_mfa::RunTermination::RETURNED) << process.console();
         return ompl_mfa::readRunRecord(process.result());
@@ -291,13 +293,14 @@ TEST(MeasuredRun, KeepsApproximateSolutionsApart)
         setup->setGoalState(goal);
         return setup;
     };
+    const auto state = makeShared<RunState>();
     RunProcess process(
-        [&](RunState &state)
+        [&]
         {
             // A goal in collision is refused by most planners; EST of OMPL 1.5 grows towards it.
-            return writeRunRecord(measureRun(enclosed, makePlanner<og::EST>, shortRun(), 1, state));
+            return writeRunRecord(measureRun(enclosed, makePlanner<og::EST>, shortRun(), 1, *state));
         },
-        ompl_mfa::RunLimits());
+        RunLimits(), state);
     process.wait();
     ASSERT_EQ(process.termination(), ompl_mfa::RunTermination::RETURNED);
     const RunRecord record = ompl_mfa::readRunRecord(process.result());
@@ -338,10 +341,10 @@ TEST(MeasuredRun, TheTimeIsThePlannersOwn)
     };
     RunSettings settings;
     settings.simplify = false;
+    const auto state = makeShared<RunState>();
     RunProcess process(
-        [&](RunState &state)
-        { return writeRunRecord(measureRun(slowlyMeasured, makePlanner<og::RRTConnect>, settings, 1, state)); },
-        ompl_mfa::RunLimits());
+        [&] { return writeRunRecord(measureRun(slowlyMeasured, makePlanner<og::RRTConnect>, settings, 1, *state)); },
+        RunLimits(), state);
     const double start = ompl_mfa::monotonicSeconds();
     process.wait();
     EXPECT_GT(ompl_mfa::monotonicSeconds() - start, 1.0) << "the path is measured";

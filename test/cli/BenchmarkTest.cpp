@@ -150,8 +150,16 @@ TEST_F(Benchmark, ShardsAndMergeMakeTheWhole)
     EXPECT_EQ(
         runProgram("benchmark --quiet --shard 3/3 --overwrite --output " + output + "part3.log " + config()).status, 0);
     expectBadInput("merge " + parts + "--output " + output + "x.log", {"part3.log", "not a part of the same campaign"});
-    expectBadInput("merge " + config() + " --output " + output + "x.log", {"scene.cfg:1", "OMPL version"});
+    expectBadInput("merge " + config() + " --output " + output + "x.log",
+                   {"scene.cfg: is no journal", "scene.cfg.journal"});
     expectBadInput("merge /no/such.log --output " + output + "x.log", {"/no/such.log"});
+    EXPECT_EQ(runProgram("merge --allow-missing " + output + "part1.log.journal --output " + output + "x.log").status,
+              0);
+    EXPECT_EQ(
+        runProgram("merge " + output + "x.log " + output + "part2.log --allow-missing --output " + output + "x.log")
+            .status,
+        0)
+        << "what was joined can be joined again";
 }
 
 TEST_F(Benchmark, ResumesOnlyWhatIsMissing)

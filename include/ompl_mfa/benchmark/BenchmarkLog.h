@@ -40,14 +40,26 @@
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "ompl_mfa/Export.h"
-#include "ompl_mfa/benchmark/RunRecord.h"
 
 namespace ompl_mfa
 {
+    /** \brief Properties as OMPL's logs have them: "words TYPE" and a value. */
+    using LogProperties = std::map<std::string, std::string>;
+
+    /** \brief The progress of a planner at one time. */
+    struct ProgressSample
+    {
+        /** \brief Seconds since the start of solve(). */
+        double time{0.0};
+        /** \brief One value a progress property, in the order of PlannerLog::progressNames. */
+        std::vector<std::string> values;
+    };
+
     /** \brief The runs of one planner in a log. */
     struct PlannerLog
     {
@@ -97,20 +109,6 @@ namespace ompl_mfa
 
     /** \brief As above, replacing \e file at once when all is written. Throws InputError when it cannot be written. */
     OMPL_MFA_EXPORT void writeBenchmarkLog(const std::filesystem::path &file, const BenchmarkLog &log);
-
-    /** \brief Reads a log; \e name stands for it in messages. Throws InputError naming the line at which the text is
-        not a log. */
-    OMPL_MFA_EXPORT BenchmarkLog readBenchmarkLog(std::istream &in, const std::string &name);
-
-    /** \brief As above. Throws InputError when \e file cannot be read or is not a log. */
-    OMPL_MFA_EXPORT BenchmarkLog readBenchmarkLog(const std::filesystem::path &file);
-
-    /** \brief Joins the parts of one campaign into one log. \e names stand for the parts in messages.
-
-        Throws InputError when the parts are not of the same campaign, when two of them have the same run of a planner,
-        or when runs are missing after all of them, unless \e allowMissing. */
-    OMPL_MFA_EXPORT BenchmarkLog mergeBenchmarkLogs(const std::vector<BenchmarkLog> &parts,
-                                                    const std::vector<std::string> &names, bool allowMissing = false);
 }  // namespace ompl_mfa
 
 #endif

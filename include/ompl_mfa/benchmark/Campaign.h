@@ -39,19 +39,44 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <ompl/base/Planner.h>
+#include <ompl/geometric/SimpleSetup.h>
+
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
-#include "ompl_mfa/benchmark/MeasuredRun.h"
-#include "ompl_mfa/benchmark/RunJournal.h"
 
 namespace ompl_mfa
 {
+    /** \brief What is the same for every run of a campaign. */
+    struct RunSettings
+    {
+        /** \brief Seconds. */
+        double timeLimit{5.0};
+        /** \brief Megabytes (2^20 bytes). */
+        double memoryLimit{4096.0};
+        /** \brief Seconds between two samples of the progress properties. */
+        double progressInterval{0.01};
+        /** \brief Evaluations of the termination condition before the planner has to stop; 0: no limit. */
+        std::uint64_t iterationLimit{0};
+        bool simplify{true};
+        /** \brief Whether the journal holds the path of an exact solution. */
+        bool keepPath{false};
+    };
+
+    /** \brief Makes the problem of a run. It is called in the run's own process, after the seed is set. */
+    using ProblemAllocator = std::function<ompl::geometric::SimpleSetupPtr()>;
+
+    /** \brief The seed of run \e run of every planner in a campaign with seed \e base: an output of SplitMix64
+        (Steele, Lea and Flood, 2014) for the state base + (run + 1) 0x9e3779b97f4a7c15, folded to [1, 2^31 - 1]. */
+    OMPL_MFA_EXPORT std::uint32_t runSeed(std::uint64_t base, unsigned int run);
+
     /** \brief One planner of a campaign, with the problem as this planner meets it. */
     struct CampaignPlanner
     {
@@ -102,7 +127,6 @@ namespace ompl_mfa
     struct CampaignResult
     {
         BenchmarkLog log;
-        std::vector<RunRecord> records;
         /** \brief The signal that stopped the campaign before its end; 0 if none did. */
         int interruptedBy{0};
         /** \brief Runs that are still to be made. */
@@ -130,11 +154,11 @@ namespace ompl_mfa
         /** \brief A digest of the description: logs and journals with the same one belong together. */
         std::string fingerprint() const;
 
-        /** \brief The runs of part \e shard of \e shards as (planner, run), in the order in which they are started.
+        /** \brief All runs as (planner, run), in the order in which they are started; part i of n makes every n-th.
 
             Runs of all planners alternate, and each part gets an equal share of each planner, so that neither the time
             of the day nor a slower machine is to the disadvantage of one of them. */
-        std::vector<std::pair<std::size_t, unsigned int>> runs(unsigned int shard, unsigned int shards) const;
+        std::vector<std::pair<std::size_t, unsigned int>> runs() const;
 
         const CampaignDescription &description() const;
 
@@ -142,14 +166,8 @@ namespace ompl_mfa
         static std::filesystem::path journalFile(const std::filesystem::path &log);
 
     private:
-        class Execution;
-
         CampaignDescription description_;
     };
-
-    /** \brief The log of \e records, whatever their order. \e shard is "i/n", or empty for a whole campaign. */
-    OMPL_MFA_EXPORT BenchmarkLog assembleLog(const Campaign &campaign, const std::vector<RunRecord> &records,
-                                             const JournalHeader &header);
 
     /** \brief The campaign of a config, as `ompl_mfa benchmark` runs it. Loads world and robot.
 

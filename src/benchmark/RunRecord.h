@@ -38,19 +38,16 @@
 #define OMPL_MFA_BENCHMARK_RUN_RECORD_
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "benchmark/RunState.h"
+#include "campaign/RunJournal.h"
 #include "ompl_mfa/Export.h"
-#include "ompl_mfa/benchmark/MeasuredPlanner.h"
-#include "ompl_mfa/benchmark/RunProcess.h"
+#include "ompl_mfa/benchmark/BenchmarkLog.h"
 
 namespace ompl_mfa
 {
-    /** \brief Properties as OMPL's logs have them: "words TYPE" and a value. */
-    using LogProperties = std::map<std::string, std::string>;
-
     /** \brief All that is known of one run. */
     struct RunRecord
     {
@@ -75,9 +72,17 @@ namespace ompl_mfa
         std::string path;
         /** \brief Cost of `path`. */
         double pathCost{0.0};
+        /** \brief Seconds between the end of the run before it, or the start, and its end; the journal knows them. */
+        double duration{0.0};
     };
 
-    /** \brief \e record as one line of JSON, without the line break. */
+    /** \brief \e record as an object for the journal. */
+    OMPL_MFA_EXPORT campaign::Json toJson(const RunRecord &record);
+
+    /** \brief Reads what toJson() made. Throws std::invalid_argument for anything else. */
+    OMPL_MFA_EXPORT RunRecord runRecordFrom(const campaign::Json &json);
+
+    /** \brief toJson() as one line of text, without the line break. */
     OMPL_MFA_EXPORT std::string writeRunRecord(const RunRecord &record);
 
     /** \brief Reads what writeRunRecord() wrote. Throws std::invalid_argument for anything else. */
@@ -86,10 +91,6 @@ namespace ompl_mfa
     /** \brief The name of a property as logs write it. OMPL's BIT* family gives DOUBLE as a type, which makes its best
         cost another property than that of all other planners; it becomes REAL. */
     OMPL_MFA_EXPORT std::string logPropertyName(const std::string &name);
-
-    /** \brief The seed of run \e run of every planner in a campaign with seed \e base: an output of SplitMix64
-        (Steele, Lea and Flood, 2014) for the state base + (run + 1) 0x9e3779b97f4a7c15, folded to [1, 2^31 - 1]. */
-    OMPL_MFA_EXPORT std::uint32_t runSeed(std::uint64_t base, unsigned int run);
 }  // namespace ompl_mfa
 
 #endif

@@ -34,50 +34,46 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_BENCHMARK_CAMPAIGN_PROGRESS_
-#define OMPL_MFA_BENCHMARK_CAMPAIGN_PROGRESS_
+#ifndef OMPL_MFA_BENCHMARKS_PAPER_STUDY_RUNS_
+#define OMPL_MFA_BENCHMARKS_PAPER_STUDY_RUNS_
 
-#include <iosfwd>
-#include <map>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "ompl_mfa/Export.h"
-#include "ompl_mfa/benchmark/RunRecord.h"
+#include "campaign/RunJournal.h"
+#include "paper/Study.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::paper
 {
-    /** \brief Shows how far a campaign is: a bar that is overwritten on a terminal, else one line a run. */
-    class OMPL_MFA_EXPORT CampaignProgress
+    using campaign::Json;
+
+    /** \brief One run of the study. */
+    struct StudyRun
     {
-    public:
-        /** \brief \e total runs, of which \e done need not be made. \e out may be null. */
-        CampaignProgress(std::ostream *out, bool terminal, std::size_t total, std::size_t done);
-
-        /** \brief Says that run \e run of \e planner is under way; \e secondsLeft is an estimate for the rest. */
-        void running(const std::string &planner, unsigned int run, double secondsLeft);
-
-        /** \brief Says how a run ended. */
-        void finished(const RunRecord &record);
-
-        /** \brief Ends the line of the bar. */
-        void close();
-
-    private:
-        void clearLine();
-
-        std::ostream *out_;
-        bool terminal_;
-        std::size_t total_;
-        std::size_t done_;
-        std::size_t lineLength_{0};
-        double lastShown_{0.0};
+        /** \brief By which it is known in the journal of its part. */
+        Json key;
+        /** \brief Called in a process of its own; what it returns comes back. */
+        std::function<Json()> make;
     };
 
-    /** \brief "3 s", "2:05" or "1:02:05". */
-    OMPL_MFA_EXPORT std::string formatDuration(double seconds);
+    /** \brief Makes the runs of a part of the study that its journal PART.journal in the folder of the output does not
+        have, and returns all of them in their order. \e identity is what decides them beside their keys.
 
-    /** \brief How a run ended, in words: "exact solution, cost 12.3", "killed at its time limit", "signal 11 (...)". */
-    OMPL_MFA_EXPORT std::string describeRun(const RunRecord &record);
-}  // namespace ompl_mfa
+        Throws std::runtime_error for a run that does not return, and Interrupted. */
+    std::vector<Json> makeStudyRuns(const StudyOptions &options, const std::string &part, const std::string &identity,
+                                    const std::vector<StudyRun> &runs);
+
+    /** \brief A CSV file in the folder of the output, with its header. Throws InputError when it cannot be written. */
+    std::ofstream openTable(const StudyOptions &options, const std::string &name, const std::string &header);
+
+    /** \brief A number as it is, infinite or no number at all included. */
+    Json numberToJson(double value);
+
+    /** \brief The number that numberToJson() was given. */
+    double numberFrom(const Json &value);
+}  // namespace ompl_mfa::paper
 
 #endif

@@ -34,30 +34,16 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/RunJournal.h"
+#include "benchmark/RunRecord.h"
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "benchmark/InputErrorOf.h"
-
-using ompl_mfa::JournalHeader;
-using ompl_mfa::RunJournal;
 using ompl_mfa::RunRecord;
-using ompl_mfa::test::inputErrorOf;
 
 namespace
 {
-    std::filesystem::path temporaryJournal(const std::string &name)
-    {
-        return testing::TempDir() + "journal_" + std::to_string(getpid()) + "_" + name;
-    }
-
     RunRecord someRecord(unsigned int run)
     {
         RunRecord record;
@@ -101,71 +87,4 @@ TEST(RunRecord, ComesBackAsItWas)
     EXPECT_EQ(after.pathCost, before.pathCost);
     EXPECT_THROW(ompl_mfa::readRunRecord("{}"), std::invalid_argument);
     EXPECT_THROW(ompl_mfa::readRunRecord(line.substr(0, line.size() / 2)), std::invalid_argument);
-}
-
-TEST(RunJournal, SurvivesBeingCutOffAnywhere)
-{
-    const auto file = temporaryJournal("cut");
-    std::vector<std::uintmax_t> ends;
-    {
-        RunJournal journal(file, {"abc", "1/2", "today", 0.0});
-        ends.push_back(std::filesystem::file_size(file));
-        for (unsigned int run = 0; run < 3; ++run)
-        {
-            journal.append(someRecord(run), 1.5);
-            ends.push_back(std::filesystem::file_size(file));
-        }
-        EXPECT_EQ(journal.header().duration, 4.5);
-    }
-    const auto copy = temporaryJournal("copy");
-    for (std::uintmax_t size = ends[0]; size <= ends[3]; size += 3)
-    {
-        std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing);
-        std::filesystem::resize_file(copy, size);
-        std::size_t whole = 0;
-        while (whole < 3 && ends[whole + 1] <= size)
-        {
-            ++whole;
-        }
-        RunJournal journal(copy);
-        ASSERT_EQ(journal.records().size(), whole);
-        EXPECT_EQ(journal.header().campaign, "abc");
-        EXPECT_EQ(journal.header().duration, 1.5 * static_cast<double>(whole));
-        // What is added next must not be glued to the rest of the line that was cut.
-        if (size >= ends[2] - 10 && size < ends[2] - 7)
-        {
-            journal.append(someRecord(9), 1.0);
-            EXPECT_EQ(RunJournal::readHeader(copy).shard, "1/2");
-        }
-    }
-    std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing);
-    std::filesystem::resize_file(copy, ends[2] - 10);
-    RunJournal(copy).append(someRecord(9), 1.0);
-    const RunJournal again(copy);
-    ASSERT_EQ(again.records().size(), 2u);
-    EXPECT_EQ(again.records()[1].run, 9u);
-    std::filesystem::remove(file);
-    std::filesystem::remove(copy);
-}
-
-TEST(RunJournal, RefusesWhatIsNoJournal)
-{
-    const auto file = temporaryJournal("other");
-    std::ofstream(file) << "hello\nworld\n";
-    EXPECT_NE(inputErrorOf([&] { RunJournal journal(file); }).find("not the journal of a campaign"), std::string::npos);
-    std::ofstream(file) << R"({"campaign":"a","shard":"","start":"t"})"
-                        << "\n{\"planner\": 3}\n";
-    EXPECT_NE(inputErrorOf([&] { RunJournal journal(file); }).find(":2: not the record of a run"), std::string::npos);
-    std::filesystem::remove(file);
-    EXPECT_NE(inputErrorOf([&] { RunJournal journal(file); }).find("cannot be read"), std::string::npos);
-    EXPECT_NE(inputErrorOf([] { RunJournal journal("/no/such/journal", JournalHeader()); }).find("cannot be written"),
-              std::string::npos);
-}
-
-TEST(RunJournal, IsWrittenByOneCampaignAtATime)
-{
-    const auto file = temporaryJournal("locked");
-    const RunJournal journal(file, JournalHeader{"abc", "", "today", 0.0});
-    EXPECT_NE(inputErrorOf([&] { RunJournal other(file); }).find("in use"), std::string::npos);
-    std::filesystem::remove(file);
 }

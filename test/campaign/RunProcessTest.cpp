@@ -34,15 +34,19 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/RunProcess.h"
+#include "campaign/RunProcess.h"
 
+#include <sched.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -53,24 +57,30 @@
 
 #include "ompl_mfa/InputError.h"
 
-using ompl_mfa::RunLimits;
-using ompl_mfa::RunPhase;
-using ompl_mfa::RunProcess;
-using ompl_mfa::RunState;
-using ompl_mfa::RunTermination;
+using ompl_mfa::campaign::makeShared;
+using ompl_mfa::campaign::RunLimits;
+using ompl_mfa::campaign::RunPhase;
+using ompl_mfa::campaign::RunProcess;
+using ompl_mfa::campaign::RunState;
+using ompl_mfa::campaign::RunTermination;
+using ompl_mfa::campaign::startSolving;
 
 namespace
 {
-    void startSolving(RunState &state)
+    /* What a run wants to outlive its crash. */
+    struct Notes : RunState
     {
-        state.residentAtStart = ompl_mfa::residentMemory(getpid());
-        state.solveStart = ompl_mfa::monotonicSeconds();
-        state.phase = RunPhase::SOLVING;
-    }
+        std::atomic<int> number{0};
+        double values[1000]{};
+    };
 
-    std::unique_ptr<RunProcess> runToEnd(const RunProcess::Body &body, const RunLimits &limits = RunLimits())
+    using StateBody = std::function<std::string(RunState &)>;
+
+    std::unique_ptr<RunProcess> runToEnd(const StateBody &body, const RunLimits &limits = RunLimits(),
+                                         int core = RunProcess::ANY_CORE)
     {
-        auto process = std::make_unique<RunProcess>(body, limits);
+        const auto state = makeShared<RunState>();
+        auto process = std::make_unique<RunProcess>([body, state] { return body(*state); }, limits, state, core);
         process->wait();
         return process;
     }
@@ -108,15 +118,26 @@ TEST(RunProcess, HandsBackTextOfAnyLength)
 
 TEST(RunProcess, SharesItsStateWhileAndAfterItRuns)
 {
-    const auto process = runToEnd(
-        [](RunState &state) -> std::string
+    const auto notes = makeShared<Notes>();
+    EXPECT_EQ(notes->phase, RunPhase::PREPARING);
+    EXPECT_EQ(notes->values[999], 0.0);
+    RunProcess process(
+        [notes]() -> std::string
         {
-            state.collisionChecks = 42;
-            state.bestCost = 1.5;
+            notes->values[999] = 1.5;
+            startSolving(*notes);
+            notes->number = 42;
+            signal(SIGABRT, SIG_DFL);
             std::abort();
-        });
-    EXPECT_EQ(process->state().collisionChecks, 42u);
-    EXPECT_EQ(process->state().bestCost, 1.5);
+        },
+        RunLimits(), notes);
+    process.wait();
+    EXPECT_EQ(process.signal(), SIGABRT);
+    EXPECT_EQ(notes->number, 42);
+    EXPECT_EQ(notes->values[999], 1.5);
+    EXPECT_EQ(process.state().phase, RunPhase::SOLVING);
+    EXPECT_GT(process.state().residentAtStart, 0u);
+    EXPECT_GT(process.state().solveStart, 0.0);
 }
 
 TEST(RunProcess, RecordsSignals)
@@ -142,11 +163,17 @@ TEST(RunProcess, KeepsWhatAnExceptionSays)
     const auto process = runToEnd([](RunState &) -> std::string { throw std::runtime_error("no path, no glory"); });
     EXPECT_EQ(process->termination(), RunTermination::EXCEPTION);
     EXPECT_EQ(process->console(), "no path, no glory");
+    EXPECT_FALSE(process->refused());
 
-    const auto input = runToEnd([](RunState &) -> std::string { throw ompl_mfa::InputError("bad.cfg:1: no"); });
+    const auto input = runToEnd(
+        [](RunState &) -> std::string
+        {
+            std::cerr << "first this\n";
+            throw ompl_mfa::InputError("bad.cfg:1: no");
+        });
     EXPECT_EQ(input->termination(), RunTermination::EXCEPTION);
-    EXPECT_EQ(input->exitStatus(), RunProcess::INPUT_ERROR_STATUS);
-    EXPECT_EQ(input->console(), "bad.cfg:1: no");
+    EXPECT_TRUE(input->refused());
+    EXPECT_EQ(input->lastLine(), "bad.cfg:1: no");
 }
 
 TEST(RunProcess, TakesAnExitForWhatItIs)
@@ -179,7 +206,7 @@ TEST(RunProcess, KillsWhatDoesNotReturn)
 {
     RunLimits limits;
     limits.solve = 0.3;
-    const double start = ompl_mfa::monotonicSeconds();
+    const double start = ompl_mfa::campaign::monotonicSeconds();
     const auto process = runToEnd(
         [](RunState &state) -> std::string
         {
@@ -190,7 +217,7 @@ TEST(RunProcess, KillsWhatDoesNotReturn)
         limits);
     EXPECT_EQ(process->termination(), RunTermination::TIME_LIMIT);
     EXPECT_EQ(process->signal(), SIGKILL);
-    EXPECT_GE(ompl_mfa::monotonicSeconds() - start, 0.3);
+    EXPECT_GE(ompl_mfa::campaign::monotonicSeconds() - start, 0.3);
     EXPECT_GE(process->phaseTime(), 0.3);
 }
 
@@ -284,7 +311,7 @@ TEST(RunProcess, DiesWithItsParent)
     if (parent == 0)
     {
         const RunProcess process(
-            [&ends](RunState &) -> std::string
+            [&ends]() -> std::string
             {
                 const pid_t self = getpid();
                 if (write(ends[1], &self, sizeof(self)) < 0)
@@ -293,7 +320,7 @@ TEST(RunProcess, DiesWithItsParent)
                 }
                 sleepForever();
             },
-            RunLimits());
+            RunLimits(), makeShared<RunState>());
         sleepForever();
     }
     pid_t child = 0;
@@ -309,20 +336,76 @@ TEST(RunProcess, DiesWithItsParent)
 
 TEST(RunProcess, IsKilledWhenNobodyWantsItAnyMore)
 {
-    pid_t child = 0;
+    const auto notes = makeShared<Notes>();
     {
         RunProcess process(
-            [](RunState &state) -> std::string
+            [notes]() -> std::string
             {
-                state.collisionChecks = static_cast<std::uint64_t>(getpid());
+                notes->number = getpid();
                 sleepForever();
             },
-            RunLimits());
-        while (process.state().collisionChecks == 0)
+            RunLimits(), notes);
+        while (notes->number == 0)
         {
             EXPECT_FALSE(process.update());
         }
-        child = static_cast<pid_t>(process.state().collisionChecks);
     }
-    EXPECT_FALSE(isAlive(child));
+    EXPECT_FALSE(isAlive(notes->number));
+}
+
+TEST(RunProcess, MayTakeSoMuchProcessorTimeOnceItSolves)
+{
+    RunLimits limits;
+    limits.processor = 0.2;
+    limits.solve = 60.0;
+    const auto burn = [](double seconds)
+    {
+        const auto end = static_cast<std::clock_t>(seconds * CLOCKS_PER_SEC) + std::clock();
+        while (std::clock() < end)
+        {
+        }
+    };
+    const auto process = runToEnd(
+        [&burn](RunState &state) -> std::string
+        {
+            burn(0.3);
+            startSolving(state);
+            burn(60.0);
+            return "not reached";
+        },
+        limits);
+    EXPECT_EQ(process->termination(), RunTermination::TIME_LIMIT);
+    EXPECT_EQ(process->state().phase, RunPhase::SOLVING);
+    EXPECT_GE(process->state().processorAtStart, 0.3);
+
+    const auto idle = runToEnd(
+        [](RunState &state)
+        {
+            startSolving(state);
+            std::this_thread::sleep_for(std::chrono::milliseconds(400));
+            return std::string("slept");
+        },
+        limits);
+    EXPECT_EQ(idle->termination(), RunTermination::RETURNED) << "time that passes is not processor time";
+}
+
+TEST(RunProcess, StaysOnItsCore)
+{
+    const int core = sched_getcpu();
+    const auto process = runToEnd(
+        [](RunState &)
+        {
+            cpu_set_t cores;
+            sched_getaffinity(0, sizeof(cores), &cores);
+            return std::to_string(CPU_COUNT(&cores)) + " " + std::to_string(sched_getcpu());
+        },
+        RunLimits(), core);
+    EXPECT_EQ(process->result(), "1 " + std::to_string(core));
+}
+
+TEST(DescribeTermination, HasWordsForEveryEnd)
+{
+    EXPECT_EQ(describeTermination(RunTermination::SIGNAL, SIGSEGV), "ended by signal 11 (Segmentation fault)");
+    EXPECT_EQ(describeTermination(RunTermination::TIME_LIMIT, SIGKILL), "killed at its time limit");
+    EXPECT_EQ(describeTermination(RunTermination::EXCEPTION, 0), "threw an exception");
 }

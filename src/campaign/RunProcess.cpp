@@ -34,20 +34,22 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/RunProcess.h"
+#include "campaign/RunProcess.h"
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <signal.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <time.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -55,15 +57,17 @@
 #include <locale>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include "ompl_mfa/InputError.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::campaign
 {
     namespace
     {
         constexpr int EXCEPTION_STATUS = 100;
         constexpr int OUT_OF_MEMORY_STATUS = 101;
+        constexpr int INPUT_ERROR_STATUS = 102;
         constexpr std::size_t CONSOLE_KEPT = 4096;
         constexpr double MEGABYTE = 1024.0 * 1024.0;
 
@@ -106,7 +110,15 @@ namespace ompl_mfa
             }
         }
 
-        void enterChild(pid_t parent, int console, double megabytes)
+        void bindToCore(int core)
+        {
+            cpu_set_t cores;
+            CPU_ZERO(&cores);
+            CPU_SET(static_cast<std::size_t>(core), &cores);
+            sched_setaffinity(0, sizeof(cores), &cores);
+        }
+
+        void enterChild(pid_t parent, int console, double megabytes, int core)
         {
             prctl(PR_SET_PDEATHSIG, SIGKILL);
             if (getppid() != parent)
@@ -114,6 +126,10 @@ namespace ompl_mfa
                 _exit(EXCEPTION_STATUS);
             }
             setpgid(0, 0);
+            if (core != RunProcess::ANY_CORE)
+            {
+                bindToCore(core);
+            }
             for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD})
             {
                 ::signal(number, SIG_DFL);
@@ -131,17 +147,17 @@ namespace ompl_mfa
         }
 
         /* Ends without destructors: whatever the planner broke must not cost a result that is already there. */
-        [[noreturn]] void runChild(const RunProcess::Body &body, RunState &state, int resultPipe)
+        [[noreturn]] void runChild(const RunProcess::Body &body, int resultPipe)
         {
             int status = 0;
             try
             {
-                writeAll(resultPipe, body(state));
+                writeAll(resultPipe, body());
             }
             catch (const InputError &error)
             {
                 std::cerr << error.what() << std::endl;
-                status = RunProcess::INPUT_ERROR_STATUS;
+                status = INPUT_ERROR_STATUS;
             }
             catch (const std::bad_alloc &)
             {
@@ -170,7 +186,7 @@ namespace ompl_mfa
                 case OUT_OF_MEMORY_STATUS:
                     return RunTermination::MEMORY_LIMIT;
                 case EXCEPTION_STATUS:
-                case RunProcess::INPUT_ERROR_STATUS:
+                case INPUT_ERROR_STATUS:
                     return RunTermination::EXCEPTION;
                 default:
                     return RunTermination::EXITED;
@@ -195,13 +211,27 @@ namespace ompl_mfa
                 text.append(buffer, static_cast<std::size_t>(count));
             }
         }
+
+        /* 0 where there is no such clock. */
+        double secondsOf(clockid_t clock)
+        {
+            timespec now{};
+            clock_gettime(clock, &now);
+            return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+        }
     }  // namespace
 
     double monotonicSeconds()
     {
-        timespec now{};
-        clock_gettime(CLOCK_MONOTONIC, &now);
-        return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+        return secondsOf(CLOCK_MONOTONIC);
+    }
+
+    void startSolving(RunState &state)
+    {
+        state.residentAtStart = residentMemory(getpid());
+        state.processorAtStart = secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+        state.solveStart = monotonicSeconds();
+        state.phase = RunPhase::SOLVING;
     }
 
     std::uint64_t residentMemory(pid_t pid)
@@ -213,16 +243,31 @@ namespace ompl_mfa
         return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     }
 
-    RunProcess::RunProcess(const Body &body, const RunLimits &limits)
-      : limits_(limits)
+    std::string describeTermination(RunTermination termination, int signal)
     {
-        void *page = mmap(nullptr, sizeof(RunState), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (page == MAP_FAILED)
+        switch (termination)
         {
-            failWith("mmap");
+            case RunTermination::RETURNED:
+                return "returned";
+            case RunTermination::EXCEPTION:
+                return "threw an exception";
+            case RunTermination::EXITED:
+                return "ended its process";
+            case RunTermination::SIGNAL:
+                return "ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
+            case RunTermination::TIME_LIMIT:
+                return "killed at its time limit";
+            case RunTermination::MEMORY_LIMIT:
+                return "killed at its memory limit";
+            default:
+                return "not over";
         }
-        state_ = new (page) RunState;
+    }
 
+    RunProcess::RunProcess(const Body &body, const RunLimits &limits, std::shared_ptr<const RunState> state, int core)
+      : limits_(limits)
+      , state_(std::move(state))
+    {
         int result[2];
         int console[2];
         openPipe(result);
@@ -239,8 +284,8 @@ namespace ompl_mfa
         }
         if (pid_ == 0)
         {
-            enterChild(parent, console[1], limits_.memory);
-            runChild(body, *state_, result[1]);
+            enterChild(parent, console[1], limits_.memory, core);
+            runChild(body, result[1]);
         }
         setpgid(pid_, pid_);
         ::close(result[1]);
@@ -257,7 +302,6 @@ namespace ompl_mfa
             waitpid(pid_, nullptr, 0);
         }
         close();
-        munmap(state_, sizeof(RunState));
     }
 
     bool RunProcess::update()
@@ -301,19 +345,29 @@ namespace ompl_mfa
     {
         while (!update())
         {
-            waitForOutput(0.01);
+            waitForOutput({this}, 0.01);
         }
     }
 
-    void RunProcess::waitForOutput(double seconds) const
+    void RunProcess::waitForOutput(const std::vector<const RunProcess *> &processes, double seconds)
     {
-        pollfd file{resultPipe_, POLLIN, 0};
-        poll(&file, resultPipe_ >= 0 ? 1 : 0, static_cast<int>(seconds * 1000.0));
+        std::vector<pollfd> files;
+        files.reserve(processes.size());
+        for (const RunProcess *process : processes)
+        {
+            files.push_back({process->resultPipe_, POLLIN, 0});
+        }
+        poll(files.data(), files.size(), static_cast<int>(seconds * 1000.0));
     }
 
     RunTermination RunProcess::termination() const
     {
         return termination_;
+    }
+
+    bool RunProcess::refused() const
+    {
+        return termination_ == RunTermination::EXCEPTION && exitStatus_ == INPUT_ERROR_STATUS;
     }
 
     int RunProcess::signal() const
@@ -336,6 +390,12 @@ namespace ompl_mfa
         const std::size_t first = console_.find_first_not_of(" \t\r\n");
         return first == std::string::npos ? std::string()
                                           : console_.substr(first, console_.find_last_not_of(" \t\r\n") - first + 1);
+    }
+
+    std::string RunProcess::lastLine() const
+    {
+        const std::string text = console();
+        return text.substr(text.find_last_of('\n') + 1);
     }
 
     double RunProcess::phaseTime() const
@@ -370,7 +430,8 @@ namespace ompl_mfa
         const double allowed = phase == RunPhase::PREPARING ? limits_.prepare
                                : phase == RunPhase::SOLVING ? limits_.solve
                                                             : limits_.finish;
-        if (now - phaseStart_ > allowed)
+        const bool solves = phase != RunPhase::PREPARING && std::isfinite(limits_.processor);
+        if (now - phaseStart_ > allowed || (solves && processorTime() - state_->processorAtStart > limits_.processor))
         {
             killProcess(RunTermination::TIME_LIMIT);
         }
@@ -381,6 +442,12 @@ namespace ompl_mfa
         {
             killProcess(RunTermination::MEMORY_LIMIT);
         }
+    }
+
+    double RunProcess::processorTime() const
+    {
+        clockid_t clock{};
+        return clock_getcpuclockid(pid_, &clock) == 0 ? secondsOf(clock) : 0.0;
     }
 
     void RunProcess::killProcess(RunTermination reason)
@@ -404,4 +471,4 @@ namespace ompl_mfa
             *file = -1;
         }
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::campaign

@@ -34,19 +34,16 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "benchmark/CampaignProgress.h"
+#include "campaign/Progress.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <ostream>
 
-#include <ompl/base/PlannerStatus.h>
+#include "campaign/RunProcess.h"
 
-#include "ompl_mfa/PlainText.h"
-
-namespace ompl_mfa
+namespace ompl_mfa::campaign
 {
     namespace
     {
@@ -57,57 +54,9 @@ namespace ompl_mfa
             return "[" + std::string(filled, '#') + std::string(WIDTH - filled, '-') + "] " + std::to_string(done) +
                    "/" + std::to_string(total);
         }
-
-        std::string propertyOf(const RunRecord &record, const std::string &name)
-        {
-            const auto found = record.properties.find(name);
-            return found == record.properties.end() ? std::string() : found->second;
-        }
-
-        std::string describeReturned(const RunRecord &record)
-        {
-            const std::string status = propertyOf(record, "status ENUM");
-            std::string text = "no status";
-            if (!status.empty())
-            {
-                text = ompl::base::PlannerStatus(static_cast<ompl::base::PlannerStatus::StatusType>(std::stoi(status)))
-                           .asString();
-            }
-            const std::string cost = propertyOf(record, "path cost REAL");
-            const std::string simplified = propertyOf(record, "simplified path cost REAL");
-            text += cost.empty() ? "" : ", cost " + cost;
-            return text + (simplified.empty() ? "" : ", simplified " + simplified);
-        }
-
-        std::string lastLine(const std::string &text)
-        {
-            const std::size_t end = text.find_last_of('\n');
-            return end == std::string::npos ? text : text.substr(end + 1);
-        }
-
-        std::string describeEnd(const RunRecord &record)
-        {
-            switch (record.termination)
-            {
-                case RunTermination::RETURNED:
-                    return describeReturned(record);
-                case RunTermination::EXCEPTION:
-                    return "the planner threw an exception";
-                case RunTermination::EXITED:
-                    return "the planner ended the process";
-                case RunTermination::SIGNAL:
-                    return "ended by signal " + std::to_string(record.signal) + " (" + strsignal(record.signal) + ")";
-                case RunTermination::TIME_LIMIT:
-                    return "killed at its time limit";
-                case RunTermination::MEMORY_LIMIT:
-                    return "killed at its memory limit";
-                default:
-                    return "not over";
-            }
-        }
     }  // namespace
 
-    CampaignProgress::CampaignProgress(std::ostream *out, bool terminal, std::size_t total, std::size_t done)
+    Progress::Progress(std::ostream *out, bool terminal, std::size_t total, std::size_t done)
       : out_(out)
       , terminal_(terminal)
       , total_(total)
@@ -115,35 +64,37 @@ namespace ompl_mfa
     {
     }
 
-    void CampaignProgress::running(const std::string &planner, unsigned int run, double secondsLeft)
+    bool Progress::isDue() const
     {
         constexpr double SHOWN_EVERY = 0.2;
-        if (out_ == nullptr || !terminal_ || monotonicSeconds() - lastShown_ < SHOWN_EVERY)
+        return out_ != nullptr && terminal_ && monotonicSeconds() - lastShown_ >= SHOWN_EVERY;
+    }
+
+    void Progress::running(const std::string &run, double secondsLeft)
+    {
+        if (!isDue())
         {
             return;
         }
         lastShown_ = monotonicSeconds();
-        const std::string line = bar(done_, total_) + "  " + planner + ", run " + std::to_string(run + 1) +
-                                 "  time left " + formatDuration(secondsLeft);
+        const std::string line = bar(done_, total_) + "  " + run + "  time left " + formatDuration(secondsLeft);
         clearLine();
         *out_ << line << std::flush;
         lineLength_ = line.size();
     }
 
-    void CampaignProgress::finished(const RunRecord &record)
+    void Progress::finished(const std::string &run, const std::string &end, bool failed)
     {
         ++done_;
-        const bool worthALine = !terminal_ || record.termination != RunTermination::RETURNED;
-        if (out_ == nullptr || !worthALine)
+        if (out_ == nullptr || (terminal_ && !failed))
         {
             return;
         }
         clearLine();
-        *out_ << std::to_string(done_) << "/" << std::to_string(total_) << "  " << record.planner << ", run "
-              << std::to_string(record.run + 1) << ": " << describeRun(record) << std::endl;
+        *out_ << std::to_string(done_) << "/" << std::to_string(total_) << "  " << run << ": " << end << std::endl;
     }
 
-    void CampaignProgress::close()
+    void Progress::close()
     {
         if (out_ != nullptr && terminal_)
         {
@@ -152,7 +103,7 @@ namespace ompl_mfa
         }
     }
 
-    void CampaignProgress::clearLine()
+    void Progress::clearLine()
     {
         if (terminal_ && lineLength_ > 0)
         {
@@ -179,10 +130,4 @@ namespace ompl_mfa
         }
         return text;
     }
-
-    std::string describeRun(const RunRecord &record)
-    {
-        const std::string end = describeEnd(record);
-        return record.message.empty() ? end : end + ": " + oneLine(lastLine(record.message));
-    }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::campaign

@@ -34,8 +34,8 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_BENCHMARK_RUN_PROCESS_
-#define OMPL_MFA_BENCHMARK_RUN_PROCESS_
+#ifndef OMPL_MFA_CAMPAIGN_RUN_PROCESS_
+#define OMPL_MFA_CAMPAIGN_RUN_PROCESS_
 
 #include <sys/types.h>
 
@@ -43,48 +43,54 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "campaign/SharedMemory.h"
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::campaign
 {
     /** \brief What a run is doing; each phase has its own time limit. */
     enum class RunPhase : int
     {
-        PREPARING,  ///< making the problem and the planner
-        SOLVING,    ///< inside the planner's solve()
-        FINISHING   ///< simplifying and measuring the path
+        PREPARING,  ///< making what is to be solved, and with what
+        SOLVING,    ///< the work that is measured
+        FINISHING   ///< looking at what came out
     };
 
-    /** \brief Memory shared by the process of a run, which writes it, and the process that watches the run. What stands
-        here survives a crash of the run. */
+    /** \brief Memory shared by the process of a run, which writes it, and the process that watches the run. What a run
+        wants to outlive its crash is in a struct derived from this one: see makeShared(). */
     struct RunState
     {
         std::atomic<RunPhase> phase{RunPhase::PREPARING};
-        /** \brief Start of solve(), seconds of the monotonic clock. */
+        /** \brief When SOLVING began, seconds of the monotonic clock. */
         std::atomic<double> solveStart{0.0};
-        /** \brief When the first solution was seen, seconds after solveStart; infinite before. */
-        std::atomic<double> firstSolution{std::numeric_limits<double>::infinity()};
-        /** \brief The last best cost that the planner reported; infinite before the first solution. */
-        std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};
-        /** \brief Calls of the state validity checker so far. */
-        std::atomic<std::uint64_t> collisionChecks{0};
-        /** \brief Resident memory of the process when solve() began, bytes. */
+        /** \brief Processor time of the process when SOLVING began, seconds. */
+        std::atomic<double> processorAtStart{0.0};
+        /** \brief Resident memory of the process when SOLVING began, bytes. */
         std::atomic<std::uint64_t> residentAtStart{0};
     };
+
+    /** \brief Called in the process of a run: notes time and memory, from which its limits count, and begins SOLVING.
+     */
+    OMPL_MFA_EXPORT void startSolving(RunState &state);
 
     /** \brief How a run came to its end. */
     enum class RunTermination : int
     {
-        RETURNED,      ///< the planner returned and its run was measured
-        EXCEPTION,     ///< the planner threw
+        RETURNED,      ///< it handed back a text
+        EXCEPTION,     ///< it threw
         EXITED,        ///< the process ended itself
         SIGNAL,        ///< a signal ended the process: a crash or an abort
         TIME_LIMIT,    ///< killed: a phase took longer than it may
         MEMORY_LIMIT,  ///< killed: more memory than it may use, or an allocation failed
         UNKNOWN        ///< not over
     };
+
+    /** \brief \e termination in words, such as "ended by signal 11 (Segmentation fault)"; \e signal counts for that. */
+    OMPL_MFA_EXPORT std::string describeTermination(RunTermination termination, int signal);
 
     /** \brief Limits of a run, enforced from outside its process. */
     struct RunLimits
@@ -93,7 +99,9 @@ namespace ompl_mfa
         double prepare{120.0};
         double solve{5.0};
         double finish{120.0};
-        /** \brief Megabytes (2^20 bytes) that solve() may add to what the process occupied before it. */
+        /** \brief Seconds of processor time that the process may take from the start of SOLVING to its end. */
+        double processor{std::numeric_limits<double>::infinity()};
+        /** \brief Megabytes (2^20 bytes) that SOLVING may add to what the process occupied before it. */
         double memory{4096.0};
     };
 
@@ -105,10 +113,16 @@ namespace ompl_mfa
     {
     public:
         /** \brief The work of the process. An exception that it throws is the end of the run. */
-        using Body = std::function<std::string(RunState &)>;
+        using Body = std::function<std::string()>;
 
-        /** \brief Starts the process. Throws std::system_error when the system has no process or pipe left. */
-        RunProcess(const Body &body, const RunLimits &limits);
+        /** \brief The process may run on any core. */
+        static constexpr int ANY_CORE = -1;
+
+        /** \brief Starts the process. \e state is what \e body writes and the limits are read from; \e core is the
+            one core that it is bound to, as sched_setaffinity() numbers them. Throws std::system_error when the system
+            has no process or pipe left. */
+        RunProcess(const Body &body, const RunLimits &limits, std::shared_ptr<const RunState> state,
+                   int core = ANY_CORE);
 
         /** \brief Kills the process if it is still there. */
         ~RunProcess();
@@ -122,11 +136,14 @@ namespace ompl_mfa
         /** \brief As update() until the process is over. */
         void wait();
 
-        /** \brief Waits until something can be read from the process, at most \e seconds. */
-        void waitForOutput(double seconds) const;
+        /** \brief Waits until something can be read from one of \e processes, at most \e seconds. */
+        static void waitForOutput(const std::vector<const RunProcess *> &processes, double seconds);
 
         /** \brief UNKNOWN as long as update() has not returned true. */
         RunTermination termination() const;
+
+        /** \brief Whether the process ended because its body threw InputError: what it was asked for cannot be had. */
+        bool refused() const;
 
         /** \brief The signal that ended the process, 0 if none did. */
         int signal() const;
@@ -137,25 +154,27 @@ namespace ompl_mfa
         /** \brief What Body returned; empty unless the run RETURNED. */
         const std::string &result() const;
 
-        /** \brief The end of what the process printed, at most 4 KiB, without surrounding white space. */
+        /** \brief The end of what the process printed, at most 4 KiB, without surrounding white space. The message of
+            an exception is the last that is printed. */
         std::string console() const;
+
+        /** \brief The last line of console(). */
+        std::string lastLine() const;
 
         /** \brief The time since the start of the present phase, or of the last one, seconds. */
         double phaseTime() const;
 
         const RunState &state() const;
 
-        /** \brief Exit status with which a body that threw InputError ends. */
-        static constexpr int INPUT_ERROR_STATUS = 102;
-
     private:
         void readPipes();
         void enforceLimits();
+        double processorTime() const;
         void killProcess(RunTermination reason);
         void close();
 
         RunLimits limits_;
-        RunState *state_{nullptr};
+        std::shared_ptr<const RunState> state_;
         pid_t pid_{-1};
         int resultPipe_{-1};
         int consolePipe_{-1};
@@ -175,6 +194,6 @@ namespace ompl_mfa
 
     /** \brief Resident memory of process \e pid in bytes; 0 when there is no such process. */
     OMPL_MFA_EXPORT std::uint64_t residentMemory(pid_t pid);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::campaign
 
 #endif

@@ -46,20 +46,12 @@
 
 #include <ompl/base/Planner.h>
 
+#include "benchmark/RunState.h"
 #include "ompl_mfa/Export.h"
-#include "ompl_mfa/benchmark/RunProcess.h"
+#include "ompl_mfa/benchmark/BenchmarkLog.h"
 
 namespace ompl_mfa
 {
-    /** \brief The progress of a planner at one time. */
-    struct ProgressSample
-    {
-        /** \brief Seconds since the start of solve(). */
-        double time{0.0};
-        /** \brief One value a progress property, in the order of MeasuredPlanner::progressNames(). */
-        std::vector<std::string> values;
-    };
-
     /** \brief A planner as a benchmark sees it: measures one solve() of the planner that it holds.
 
         OMPL's Benchmark looks at a planner's progress every so often, but at one fixed distance for the whole run, and

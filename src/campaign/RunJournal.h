@@ -34,35 +34,48 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_BENCHMARK_RUN_JOURNAL_
-#define OMPL_MFA_BENCHMARK_RUN_JOURNAL_
+#ifndef OMPL_MFA_CAMPAIGN_RUN_JOURNAL_
+#define OMPL_MFA_CAMPAIGN_RUN_JOURNAL_
 
 #include <filesystem>
+#include <functional>
 #include <string>
-#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "ompl_mfa/Export.h"
-#include "ompl_mfa/benchmark/RunRecord.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::campaign
 {
+    using Json = nlohmann::ordered_json;
+
     /** \brief The first line of a journal: which campaign its runs are of. */
     struct JournalHeader
     {
-        /** \brief Campaign::fingerprint(). */
+        /** \brief Journals with the same identity hold runs of the same campaign. */
         std::string campaign;
         /** \brief "i/n", or empty for a whole campaign. */
         std::string shard;
         /** \brief When the campaign was started for the first time. */
         std::string start;
-        /** \brief Seconds spent on the runs so far. */
+        /** \brief What those who read the runs want to know of all of them. */
+        Json description;
+        /** \brief Seconds spent on the runs so far; in a file, the sum over its runs. */
         double duration{0.0};
     };
 
+    /** \brief Takes a run of a journal and the number of its line. */
+    using RecordVisitor = std::function<void(const Json &record, std::size_t line)>;
+
+    /** \brief Reads a journal and hands each of its runs to \e visit, in the order in which they ended; a last line
+       that was cut off is left out. Throws InputError when \e file cannot be read or is no journal; what \e visit
+       throws as std::invalid_argument or as an exception of the JSON library becomes an InputError "FILE:LINE: ...". */
+    OMPL_MFA_EXPORT JournalHeader readJournal(const std::filesystem::path &file, const RecordVisitor &visit);
+
     /** \brief The runs of a campaign as they come in, in a file that survives the end of the program at any point.
 
-        A text file with a line of JSON for the header and one for each run; a line is on the disk before append()
-        returns. A last line that was cut off is dropped. */
+        A text file with a JSON object a line, the header's first and then one for each run; a line is on the disk
+       before append() returns. What was cut off in the middle of a line is removed. */
     class OMPL_MFA_EXPORT RunJournal
     {
     public:
@@ -70,37 +83,36 @@ namespace ompl_mfa
             is in use. */
         RunJournal(std::filesystem::path file, JournalHeader header);
 
-        /** \brief Opens a journal to continue it. Throws InputError when \e file cannot be read, is no journal or
-            is in use. */
-        explicit RunJournal(std::filesystem::path file);
+        /** \brief Opens a journal to continue it; \e visit is given the runs that are there. Throws InputError as
+            readJournal() does, and when \e file cannot be written or is in use. */
+        RunJournal(std::filesystem::path file, const RecordVisitor &visit);
 
         ~RunJournal();
 
         RunJournal(const RunJournal &) = delete;
         RunJournal &operator=(const RunJournal &) = delete;
 
-        /** \brief Adds a run that ended \e duration seconds after the previous one, or after the start. Throws
-            std::system_error when the disk is full. */
-        void append(RunRecord record, double duration);
+        /** \brief Adds a run that ended \e duration seconds after the previous one, or after the start; its field
+            `duration` says so. Throws std::system_error when the disk is full. */
+        void append(Json record, double duration);
 
         const JournalHeader &header() const;
 
-        /** \brief All runs, in the order in which they ended. */
-        const std::vector<RunRecord> &records() const;
-
-        /** \brief Reads only the header of \e file. Throws InputError when there is none. */
-        static JournalHeader readHeader(const std::filesystem::path &file);
-
     private:
-        void readRecords();
         void truncate(std::size_t size);
         void appendLine(const std::string &line);
 
         std::filesystem::path path_;
         JournalHeader header_;
-        std::vector<RunRecord> records_;
         int file_{-1};
     };
-}  // namespace ompl_mfa
+
+    /** \brief \e value as a line of JSON without its end. Bytes that are not UTF-8, which a run may have printed, are
+        replaced. */
+    OMPL_MFA_EXPORT std::string jsonLine(const Json &value);
+
+    /** \brief Reads what jsonLine() wrote, in any locale. Throws an exception of the JSON library for anything else. */
+    OMPL_MFA_EXPORT Json parseJson(const std::string &line);
+}  // namespace ompl_mfa::campaign
 
 #endif

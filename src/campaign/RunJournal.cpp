@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "ompl_mfa/benchmark/RunJournal.h"
+#include "campaign/RunJournal.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -49,36 +49,36 @@
 #include <thread>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "ompl_mfa/InputError.h"
 #include "text/CLocaleScope.h"
 
-using Json = nlohmann::json;
-
-namespace ompl_mfa
+namespace ompl_mfa::campaign
 {
     namespace
     {
         std::string headerLine(const JournalHeader &header)
         {
-            return Json{{"campaign", header.campaign}, {"shard", header.shard}, {"start", header.start}}.dump();
+            return jsonLine({{"campaign", header.campaign},
+                             {"shard", header.shard},
+                             {"start", header.start},
+                             {"description", header.description}});
         }
 
         JournalHeader headerFrom(const std::string &line, const std::filesystem::path &file)
         {
             try
             {
-                const Json json = Json::parse(line);
+                const Json json = parseJson(line);
                 JournalHeader header;
                 json.at("campaign").get_to(header.campaign);
                 json.at("shard").get_to(header.shard);
                 json.at("start").get_to(header.start);
+                header.description = json.at("description");
                 return header;
             }
             catch (const Json::exception &)
             {
-                throw InputError(file.string() + ": not the journal of a campaign");
+                throw InputError(file.string() + ":1: not the first line of a campaign's journal");
             }
         }
 
@@ -90,8 +90,7 @@ namespace ompl_mfa
             const int opened = open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666);
             if (opened < 0)
             {
-                throw InputError(file.string() + (flags == 0 ? ": cannot be read: " : ": cannot be written: ") +
-                                 std::strerror(errno));
+                throw InputError(file.string() + ": cannot be written: " + std::strerror(errno));
             }
             for (int attempt = 0; flock(opened, LOCK_EX | LOCK_NB) != 0; ++attempt)
             {
@@ -105,16 +104,47 @@ namespace ompl_mfa
             return opened;
         }
 
-        std::ifstream openJournal(const std::filesystem::path &file)
+        /* A journal, and how many bytes of its file are whole lines. */
+        std::pair<JournalHeader, std::size_t> readLines(const std::filesystem::path &file, const RecordVisitor &visit)
         {
             std::ifstream in(file);
             if (!in)
             {
                 throw InputError(file.string() + ": cannot be read: " + std::strerror(errno));
             }
-            return in;
+            std::string line;
+            if (!std::getline(in, line) || in.eof())
+            {
+                line.clear();
+            }
+            std::pair<JournalHeader, std::size_t> journal(headerFrom(line, file), line.size() + 1);
+            // A line without its end was cut off: the run is made again.
+            for (std::size_t number = 2; std::getline(in, line) && !in.eof(); ++number)
+            {
+                try
+                {
+                    const Json record = parseJson(line);
+                    journal.first.duration += record.at("duration").get<double>();
+                    visit(record, number);
+                }
+                catch (const Json::exception &error)
+                {
+                    throw InputError(file.string() + ":" + std::to_string(number) + ": not a run: " + error.what());
+                }
+                catch (const std::invalid_argument &error)
+                {
+                    throw InputError(file.string() + ":" + std::to_string(number) + ": " + error.what());
+                }
+                journal.second += line.size() + 1;
+            }
+            return journal;
         }
     }  // namespace
+
+    JournalHeader readJournal(const std::filesystem::path &file, const RecordVisitor &visit)
+    {
+        return readLines(file, visit).first;
+    }
 
     RunJournal::RunJournal(std::filesystem::path file, JournalHeader header)
       : path_(std::move(file))
@@ -122,47 +152,25 @@ namespace ompl_mfa
       , file_(lockJournal(path_, O_CREAT))
     {
         truncate(0);
+        header_.duration = 0.0;
         appendLine(headerLine(header_));
     }
 
-    RunJournal::RunJournal(std::filesystem::path file)
+    RunJournal::RunJournal(std::filesystem::path file, const RecordVisitor &visit)
       : path_(std::move(file))
       , file_(lockJournal(path_, 0))
     {
         try
         {
-            readRecords();
+            const auto journal = readLines(path_, visit);
+            header_ = journal.first;
+            truncate(journal.second);
         }
-        catch (const InputError &)
+        catch (...)
         {
             ::close(file_);
             throw;
         }
-    }
-
-    void RunJournal::readRecords()
-    {
-        const CLocaleScope plainNumbers;
-        std::ifstream in = openJournal(path_);
-        std::string line;
-        std::getline(in, line);
-        header_ = headerFrom(line, path_);
-        std::size_t whole = line.size() + 1;
-        // A line without its end was cut off: the run is made again.
-        for (int number = 2; std::getline(in, line) && !in.eof(); ++number)
-        {
-            try
-            {
-                records_.push_back(readRunRecord(line));
-                header_.duration += Json::parse(line).at("duration").get<double>();
-            }
-            catch (const std::exception &error)
-            {
-                throw InputError(path_.string() + ":" + std::to_string(number) + ": " + error.what());
-            }
-            whole += line.size() + 1;
-        }
-        truncate(whole);
     }
 
     void RunJournal::truncate(std::size_t size)
@@ -178,32 +186,16 @@ namespace ompl_mfa
         ::close(file_);
     }
 
-    void RunJournal::append(RunRecord record, double duration)
+    void RunJournal::append(Json record, double duration)
     {
-        const CLocaleScope plainNumbers;
-        Json line = Json::parse(writeRunRecord(record));
-        line["duration"] = duration;
-        appendLine(line.dump());
+        record["duration"] = duration;
+        appendLine(jsonLine(record));
         header_.duration += duration;
-        records_.push_back(std::move(record));
     }
 
     const JournalHeader &RunJournal::header() const
     {
         return header_;
-    }
-
-    const std::vector<RunRecord> &RunJournal::records() const
-    {
-        return records_;
-    }
-
-    JournalHeader RunJournal::readHeader(const std::filesystem::path &file)
-    {
-        std::ifstream in = openJournal(file);
-        std::string line;
-        std::getline(in, line);
-        return headerFrom(line, file);
     }
 
     void RunJournal::appendLine(const std::string &line)
@@ -221,4 +213,16 @@ namespace ompl_mfa
         }
         fsync(file_);
     }
-}  // namespace ompl_mfa
+
+    std::string jsonLine(const Json &value)
+    {
+        return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    Json parseJson(const std::string &line)
+    {
+        // The JSON library hands numbers to strtod().
+        const CLocaleScope plainNumbers;
+        return Json::parse(line);
+    }
+}  // namespace ompl_mfa::campaign

@@ -1,0 +1,65 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
+#ifndef OMPL_MFA_BENCHMARK_RUN_STATE_
+#define OMPL_MFA_BENCHMARK_RUN_STATE_
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+
+#include "campaign/RunProcess.h"
+
+namespace ompl_mfa
+{
+    using campaign::monotonicSeconds;
+    using campaign::residentMemory;
+    using campaign::RunPhase;
+    using campaign::RunTermination;
+
+    /** \brief What is known of a planner while it runs, and after a crash. SOLVING is the time in its solve(). */
+    struct RunState : campaign::RunState
+    {
+        /** \brief When the first solution was seen, seconds after solveStart; infinite before. */
+        std::atomic<double> firstSolution{std::numeric_limits<double>::infinity()};
+        /** \brief The last best cost that the planner reported; infinite before the first solution. */
+        std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};
+        /** \brief Calls of the state validity checker so far. */
+        std::atomic<std::uint64_t> collisionChecks{0};
+    };
+}  // namespace ompl_mfa
+
+#endif

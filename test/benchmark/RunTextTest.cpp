@@ -1,0 +1,64 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
+#include "benchmark/RunText.h"
+
+#include <csignal>
+
+#include <gtest/gtest.h>
+
+using ompl_mfa::RunRecord;
+using ompl_mfa::RunTermination;
+
+TEST(RunText, SaysWhatCameOut)
+{
+    RunRecord record;
+    record.termination = RunTermination::RETURNED;
+    record.properties = {{"status ENUM", "6"}, {"path cost REAL", "12.5"}, {"simplified path cost REAL", "11"}};
+    EXPECT_EQ(describeRun(record), "Exact solution, cost 12.5, simplified 11");
+    record.properties = {{"status ENUM", "4"}};
+    EXPECT_EQ(describeRun(record), "Timeout");
+}
+
+TEST(RunText, SaysWhyARunDidNotReturn)
+{
+    RunRecord record;
+    record.termination = RunTermination::SIGNAL;
+    record.signal = SIGABRT;
+    EXPECT_EQ(describeRun(record), "ended by signal 6 (Aborted)");
+    record.message = "first\nassertion\x1b failed";
+    EXPECT_EQ(describeRun(record), "ended by signal 6 (Aborted): assertion\\x1b failed");
+}
