@@ -92,15 +92,15 @@ namespace ompl_mfa::anytime
         {
             switch (process.termination())
             {
-                case RunTermination::RETURNED:
+                case RunTermination::Returned:
                     return "returned";
-                case RunTermination::EXCEPTION:
+                case RunTermination::Exception:
                     return "exception";
-                case RunTermination::EXITED:
+                case RunTermination::Exited:
                     return "exited";
-                case RunTermination::SIGNAL:
+                case RunTermination::Signal:
                     return std::string("signal ") + sigabbrev_np(process.signal());
-                case RunTermination::MEMORY_LIMIT:
+                case RunTermination::MemoryLimit:
                     return "out of memory";
                 default:
                     return "killed";
@@ -109,7 +109,7 @@ namespace ompl_mfa::anytime
 
         campaign::RunReport reportOf(const RunProcess &process, const RunRequest &request, const RunMemory &memory)
         {
-            const bool returned = process.termination() == RunTermination::RETURNED;
+            const bool returned = process.termination() == RunTermination::Returned;
             const Json result = returned ? campaign::parseJson(process.result()) : toJson(RunResult());
             campaign::RunReport report;
             report.record = {

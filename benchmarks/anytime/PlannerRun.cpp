@@ -122,7 +122,7 @@ namespace ompl_mfa::anytime
         trace.stop();
         result.longestGap = trace.longestGap();
         result.looks = trace.looks();
-        memory.phase = campaign::RunPhase::FINISHING;
+        memory.phase = campaign::RunPhase::Finishing;
         checkPath(problem, result);
         return result;
     }

@@ -81,7 +81,7 @@ namespace
             work.body = [make] { return ompl_mfa::campaign::jsonLine(make()); };
             work.report = [name](const RunProcess &process)
             {
-                if (process.termination() != RunTermination::RETURNED)
+                if (process.termination() != RunTermination::Returned)
                     throw std::runtime_error(name + ": " +
                                              describeTermination(process.termination(), process.signal()) +
                                              (process.lastLine().empty() ? "" : ": " + process.lastLine()));

@@ -66,9 +66,9 @@ namespace ompl_mfa
         {
             switch (termination)
             {
-                case RunTermination::TIME_LIMIT:
+                case RunTermination::TimeLimit:
                     return ob::PlannerStatus::TIMEOUT;
-                case RunTermination::MEMORY_LIMIT:
+                case RunTermination::MemoryLimit:
                     return ob::PlannerStatus::ABORT;
                 default:
                     return ob::PlannerStatus::CRASH;
@@ -81,7 +81,7 @@ namespace ompl_mfa
             RunRecord record;
             record.properties["solved BOOLEAN"] = "0";
             record.properties["status ENUM"] = std::to_string(static_cast<int>(statusOf(process.termination())));
-            record.properties["time REAL"] = numberText(state.phase == RunPhase::SOLVING ? process.phaseTime() : 0.0);
+            record.properties["time REAL"] = numberText(state.phase == RunPhase::Solving ? process.phaseTime() : 0.0);
             record.properties["collision checks INTEGER"] = std::to_string(state.collisionChecks);
             record.properties["time to first solution REAL"] = numberText(state.firstSolution);
             record.properties["final best cost REAL"] = numberText(state.bestCost);
@@ -108,7 +108,7 @@ namespace ompl_mfa
                 {
                     continue;
                 }
-                if (which == SavePaths::ALL)
+                if (which == SavePaths::All)
                 {
                     savePath(stem + "." + fileNamePart(record.planner) + "." + std::to_string(record.run) + ".path",
                              record);
@@ -121,7 +121,7 @@ namespace ompl_mfa
             }
             for (const auto &entry : best)
             {
-                if (which == SavePaths::SHORTEST)
+                if (which == SavePaths::Shortest)
                 {
                     savePath(stem + "." + fileNamePart(entry.first) + ".path", *entry.second);
                 }
@@ -145,14 +145,14 @@ namespace ompl_mfa
         RunRecord recordOf(const RunProcess &process, const RunState &state, const CampaignPlanner &planner,
                            unsigned int run, std::uint32_t seed)
         {
-            const bool returned = process.termination() == RunTermination::RETURNED;
+            const bool returned = process.termination() == RunTermination::Returned;
             RunRecord record = returned ? readRunRecord(process.result()) : salvageRun(process, state);
             record.planner = logName(planner);
             record.run = run;
             record.seed = seed;
             record.termination = returned ? record.termination : process.termination();
             record.signal = process.signal();
-            record.message = record.termination == RunTermination::RETURNED ? "" : process.console();
+            record.message = record.termination == RunTermination::Returned ? "" : process.console();
             record.properties["run INTEGER"] = std::to_string(record.run);
             record.properties["seed INTEGER"] = std::to_string(record.seed);
             record.properties["termination ENUM"] = std::to_string(static_cast<int>(record.termination));
@@ -183,7 +183,7 @@ namespace ompl_mfa
                 {
                     const RunRecord record = recordOf(process, *state, planner, run, seed);
                     return campaign::RunReport{toJson(record), describeRun(record),
-                                               record.termination != RunTermination::RETURNED};
+                                               record.termination != RunTermination::Returned};
                 };
                 return work;
             };
@@ -226,7 +226,7 @@ namespace ompl_mfa
                                  "; each configuration needs its own");
             }
         }
-        description_.settings.keepPath = description_.savePaths != SavePaths::NONE;
+        description_.settings.keepPath = description_.savePaths != SavePaths::None;
     }
 
     void Campaign::validate() const
@@ -242,7 +242,7 @@ namespace ompl_mfa
         };
         RunProcess process(body, campaign::RunLimits(), campaign::makeShared<campaign::RunState>());
         process.wait();
-        if (process.termination() == RunTermination::EXCEPTION)
+        if (process.termination() == RunTermination::Exception)
         {
             throw InputError(process.lastLine());
         }

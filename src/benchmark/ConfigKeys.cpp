@@ -283,9 +283,9 @@ namespace ompl_mfa
             rows.add("threshold", number("a number of at least 0", [](double value) { return value >= 0.0; }),
                      &ProblemConfig::threshold, "distance at which a state counts as the goal");
             rows.add({"statespace"},
-                     oneOf<StateSpaceKind>({{"dubins", StateSpaceKind::DUBINS},
-                                            {"dubinssymmetric", StateSpaceKind::DUBINS_SYMMETRIC},
-                                            {"reedsshepp", StateSpaceKind::REEDS_SHEPP}}),
+                     oneOf<StateSpaceKind>({{"dubins", StateSpaceKind::Dubins},
+                                            {"dubinssymmetric", StateSpaceKind::DubinsSymmetric},
+                                            {"reedsshepp", StateSpaceKind::ReedsShepp}}),
                      &ProblemConfig::space, "none", "a car's motions, for x, y, theta");
             rows.add("turningradius", positive(), &ProblemConfig::turningRadius, "turning radius of a car");
             rows.add({"rotation_weight"}, positive(), &ProblemConfig::rotationWeight, "OMPL's: 0.5 and 1",
@@ -399,7 +399,7 @@ namespace ompl_mfa
                       }});
             rows.add("save_paths",
                      oneOf<SavePaths>(
-                         {{"none", SavePaths::NONE}, {"all", SavePaths::ALL}, {"shortest", SavePaths::SHORTEST}}),
+                         {{"none", SavePaths::None}, {"all", SavePaths::All}, {"shortest", SavePaths::Shortest}}),
                      &CampaignConfig::savePaths, "which paths are written beside the log, see below");
             rows.add("simplify", onOff(), &CampaignConfig::simplify, "whether paths are simplified after the run");
             rows.add("seed", whole<std::uint_fast32_t>(LARGEST_WHOLE), &CampaignConfig::seed, "seed of the campaign");

@@ -136,7 +136,7 @@ namespace ompl_mfa
             }
             solvedCondition_.notify_all();
             sampler.join();
-            run_.phase = RunPhase::FINISHING;
+            run_.phase = RunPhase::Finishing;
         };
         ob::PlannerStatus status;
         try

@@ -203,7 +203,7 @@ namespace ompl_mfa
         takeExperiment(benchmark.getRecordedExperimentData(), seeded, record);
         record.progressNames = planner->progressNames();
         record.progress = planner->progress();
-        record.termination = planner->threw() ? RunTermination::EXCEPTION : RunTermination::RETURNED;
+        record.termination = planner->threw() ? RunTermination::Exception : RunTermination::Returned;
         return record;
     }
 }  // namespace ompl_mfa

@@ -62,11 +62,11 @@ namespace ompl_mfa
 
         enum class ValueType
         {
-            SWITCH,
-            INTEGER,
-            UNSIGNED,
-            REAL,
-            TEXT
+            Switch,
+            Integer,
+            Unsigned,
+            Real,
+            Text
         };
 
         template <typename... Types>
@@ -80,14 +80,14 @@ namespace ompl_mfa
         ValueType valueType(const ob::GenericParam &parameter)
         {
             if (isOneOf<bool>(parameter))
-                return ValueType::SWITCH;
+                return ValueType::Switch;
             if (isOneOf<int, long, long long>(parameter))
-                return ValueType::INTEGER;
+                return ValueType::Integer;
             if (isOneOf<unsigned int, unsigned long, unsigned long long>(parameter))
-                return ValueType::UNSIGNED;
+                return ValueType::Unsigned;
             if (isOneOf<float, double, long double>(parameter))
-                return ValueType::REAL;
-            return ValueType::TEXT;
+                return ValueType::Real;
+            return ValueType::Text;
         }
 
         std::string typeName(ValueType type)
@@ -134,13 +134,13 @@ namespace ompl_mfa
             const std::string &range = parameter.getRangeSuggestion();
             switch (valueType(parameter))
             {
-                case ValueType::SWITCH:
+                case ValueType::Switch:
                     return switchValue(entry) ? "1" : "0";
-                case ValueType::INTEGER:
-                case ValueType::UNSIGNED:
+                case ValueType::Integer:
+                case ValueType::Unsigned:
                 {
                     const double number = realValue(entry);
-                    const bool isUnsigned = valueType(parameter) == ValueType::UNSIGNED;
+                    const bool isUnsigned = valueType(parameter) == ValueType::Unsigned;
                     const double most = isUnsigned ? std::numeric_limits<std::uint32_t>::max()
                                                    : std::numeric_limits<std::int32_t>::max();
                     if (number != std::floor(number) || number > most || number < (isUnsigned ? 0.0 : -most) ||
@@ -149,10 +149,10 @@ namespace ompl_mfa
                     checkRange(entry, range, number);
                     return entry.value;
                 }
-                case ValueType::REAL:
+                case ValueType::Real:
                     checkRange(entry, range, realValue(entry));
                     return entry.value;
-                case ValueType::TEXT:
+                case ValueType::Text:
                     checkChoice(entry, range);
                     return entry.value;
             }
@@ -197,7 +197,7 @@ namespace ompl_mfa
         void setParameter(planner::SelectiveParam &parameter, const ConfigEntry &entry)
         {
             const NoWarnings noWarnings;
-            const bool isSwitch = valueType(parameter) == ValueType::SWITCH;
+            const bool isSwitch = valueType(parameter) == ValueType::Switch;
             if (!parameter.setValue(isSwitch ? (switchValue(entry) ? "1" : "0") : entry.value))
                 failAt(entry, "accepted is " + parameter.accepted());
         }

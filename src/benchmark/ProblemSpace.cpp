@@ -99,11 +99,11 @@ namespace ompl_mfa
             case StateSpaceKind::R2:
             case StateSpaceKind::R3:
                 return bounded(std::make_shared<PositionSpace>(positionDimension(problem.space)), bounds);
-            case StateSpaceKind::DUBINS:
+            case StateSpaceKind::Dubins:
                 return bounded(std::make_shared<ob::DubinsStateSpace>(radius), bounds);
-            case StateSpaceKind::DUBINS_SYMMETRIC:
+            case StateSpaceKind::DubinsSymmetric:
                 return bounded(std::make_shared<ob::DubinsStateSpace>(radius, true), bounds);
-            case StateSpaceKind::REEDS_SHEPP:
+            case StateSpaceKind::ReedsShepp:
                 return bounded(std::make_shared<ob::ReedsSheppStateSpace>(radius), bounds);
             case StateSpaceKind::SE2:
                 space = bounded(std::make_shared<ob::SE2StateSpace>(), bounds);

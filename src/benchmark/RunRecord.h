@@ -56,7 +56,7 @@ namespace ompl_mfa
         /** \brief Counted from 0 for each planner. */
         unsigned int run{0};
         std::uint32_t seed{0};
-        RunTermination termination{RunTermination::UNKNOWN};
+        RunTermination termination{RunTermination::Unknown};
         /** \brief The signal that ended the process, 0 if none did. */
         int signal{0};
         /** \brief The last that a run printed which did not return, or what its planner threw. */

@@ -68,7 +68,7 @@ namespace ompl_mfa
 
     std::string describeRun(const RunRecord &record)
     {
-        const std::string end = record.termination == RunTermination::RETURNED
+        const std::string end = record.termination == RunTermination::Returned
                                     ? describeReturned(record)
                                     : campaign::describeTermination(record.termination, record.signal);
         return record.message.empty()

@@ -182,14 +182,14 @@ namespace ompl_mfa::campaign
             switch (exitStatus)
             {
                 case 0:
-                    return RunTermination::RETURNED;
+                    return RunTermination::Returned;
                 case OUT_OF_MEMORY_STATUS:
-                    return RunTermination::MEMORY_LIMIT;
+                    return RunTermination::MemoryLimit;
                 case EXCEPTION_STATUS:
                 case INPUT_ERROR_STATUS:
-                    return RunTermination::EXCEPTION;
+                    return RunTermination::Exception;
                 default:
-                    return RunTermination::EXITED;
+                    return RunTermination::Exited;
             }
         }
 
@@ -231,7 +231,7 @@ namespace ompl_mfa::campaign
         state.residentAtStart = residentMemory(getpid());
         state.processorAtStart = secondsOf(CLOCK_PROCESS_CPUTIME_ID);
         state.solveStart = monotonicSeconds();
-        state.phase = RunPhase::SOLVING;
+        state.phase = RunPhase::Solving;
     }
 
     std::uint64_t residentMemory(pid_t pid)
@@ -247,17 +247,17 @@ namespace ompl_mfa::campaign
     {
         switch (termination)
         {
-            case RunTermination::RETURNED:
+            case RunTermination::Returned:
                 return "returned";
-            case RunTermination::EXCEPTION:
+            case RunTermination::Exception:
                 return "threw an exception";
-            case RunTermination::EXITED:
+            case RunTermination::Exited:
                 return "ended its process";
-            case RunTermination::SIGNAL:
+            case RunTermination::Signal:
                 return "ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
-            case RunTermination::TIME_LIMIT:
+            case RunTermination::TimeLimit:
                 return "killed at its time limit";
-            case RunTermination::MEMORY_LIMIT:
+            case RunTermination::MemoryLimit:
                 return "killed at its memory limit";
             default:
                 return "not over";
@@ -298,7 +298,7 @@ namespace ompl_mfa::campaign
     {
         if (pid_ > 0)
         {
-            killProcess(RunTermination::UNKNOWN);
+            killProcess(RunTermination::Unknown);
             waitpid(pid_, nullptr, 0);
         }
         close();
@@ -306,7 +306,7 @@ namespace ompl_mfa::campaign
 
     bool RunProcess::update()
     {
-        if (termination_ != RunTermination::UNKNOWN)
+        if (termination_ != RunTermination::Unknown)
         {
             return true;
         }
@@ -326,16 +326,16 @@ namespace ompl_mfa::campaign
         if (WIFSIGNALED(status))
         {
             signal_ = WTERMSIG(status);
-            termination_ = killedFor_ != RunTermination::UNKNOWN ? killedFor_ : RunTermination::SIGNAL;
+            termination_ = killedFor_ != RunTermination::Unknown ? killedFor_ : RunTermination::Signal;
         }
         else
         {
             exitStatus_ = WEXITSTATUS(status);
             termination_ = terminationOf(exitStatus_);
             // A planner that calls exit(0) has returned nothing.
-            if (termination_ == RunTermination::RETURNED && result_.empty())
+            if (termination_ == RunTermination::Returned && result_.empty())
             {
-                termination_ = RunTermination::EXITED;
+                termination_ = RunTermination::Exited;
             }
         }
         return true;
@@ -367,7 +367,7 @@ namespace ompl_mfa::campaign
 
     bool RunProcess::refused() const
     {
-        return termination_ == RunTermination::EXCEPTION && exitStatus_ == INPUT_ERROR_STATUS;
+        return termination_ == RunTermination::Exception && exitStatus_ == INPUT_ERROR_STATUS;
     }
 
     int RunProcess::signal() const
@@ -400,7 +400,7 @@ namespace ompl_mfa::campaign
 
     double RunProcess::phaseTime() const
     {
-        return (termination_ == RunTermination::UNKNOWN ? monotonicSeconds() : phaseEnd_) - phaseStart_;
+        return (termination_ == RunTermination::Unknown ? monotonicSeconds() : phaseEnd_) - phaseStart_;
     }
 
     const RunState &RunProcess::state() const
@@ -425,22 +425,22 @@ namespace ompl_mfa::campaign
         if (phase != seenPhase_)
         {
             seenPhase_ = phase;
-            phaseStart_ = phase == RunPhase::SOLVING ? state_->solveStart.load() : now;
+            phaseStart_ = phase == RunPhase::Solving ? state_->solveStart.load() : now;
         }
-        const double allowed = phase == RunPhase::PREPARING ? limits_.prepare
-                               : phase == RunPhase::SOLVING ? limits_.solve
+        const double allowed = phase == RunPhase::Preparing ? limits_.prepare
+                               : phase == RunPhase::Solving ? limits_.solve
                                                             : limits_.finish;
-        const bool solves = phase != RunPhase::PREPARING && std::isfinite(limits_.processor);
+        const bool solves = phase != RunPhase::Preparing && std::isfinite(limits_.processor);
         if (now - phaseStart_ > allowed || (solves && processorTime() - state_->processorAtStart > limits_.processor))
         {
-            killProcess(RunTermination::TIME_LIMIT);
+            killProcess(RunTermination::TimeLimit);
         }
         // OMPL's own check stops a planner at the limit itself; this one is for planners that do not listen.
         const double slack = (0.1 * limits_.memory + 16.0) * MEGABYTE;
         const double resident = static_cast<double>(residentMemory(pid_));
         if (resident > static_cast<double>(state_->residentAtStart) + limits_.memory * MEGABYTE + slack)
         {
-            killProcess(RunTermination::MEMORY_LIMIT);
+            killProcess(RunTermination::MemoryLimit);
         }
     }
 
@@ -452,7 +452,7 @@ namespace ompl_mfa::campaign
 
     void RunProcess::killProcess(RunTermination reason)
     {
-        if (killedFor_ == RunTermination::UNKNOWN)
+        if (killedFor_ == RunTermination::Unknown)
         {
             killedFor_ = reason;
         }

@@ -55,16 +55,16 @@ namespace ompl_mfa::campaign
     /** \brief What a run is doing; each phase has its own time limit. */
     enum class RunPhase : int
     {
-        PREPARING,  ///< making what is to be solved, and with what
-        SOLVING,    ///< the work that is measured
-        FINISHING   ///< looking at what came out
+        Preparing,  ///< making what is to be solved, and with what
+        Solving,    ///< the work that is measured
+        Finishing   ///< looking at what came out
     };
 
     /** \brief Memory shared by the process of a run, which writes it, and the process that watches the run. What a run
         wants to outlive its crash is in a struct derived from this one: see makeShared(). */
     struct RunState
     {
-        std::atomic<RunPhase> phase{RunPhase::PREPARING};
+        std::atomic<RunPhase> phase{RunPhase::Preparing};
         /** \brief When SOLVING began, seconds of the monotonic clock. */
         std::atomic<double> solveStart{0.0};
         /** \brief Processor time of the process when SOLVING began, seconds. */
@@ -80,13 +80,13 @@ namespace ompl_mfa::campaign
     /** \brief How a run came to its end. */
     enum class RunTermination : int
     {
-        RETURNED,      ///< it handed back a text
-        EXCEPTION,     ///< it threw
-        EXITED,        ///< the process ended itself
-        SIGNAL,        ///< a signal ended the process: a crash or an abort
-        TIME_LIMIT,    ///< killed: a phase took longer than it may
-        MEMORY_LIMIT,  ///< killed: more memory than it may use, or an allocation failed
-        UNKNOWN        ///< not over
+        Returned,     ///< it handed back a text
+        Exception,    ///< it threw
+        Exited,       ///< the process ended itself
+        Signal,       ///< a signal ended the process: a crash or an abort
+        TimeLimit,    ///< killed: a phase took longer than it may
+        MemoryLimit,  ///< killed: more memory than it may use, or an allocation failed
+        Unknown       ///< not over
     };
 
     /** \brief \e termination in words, such as "ended by signal 11 (Segmentation fault)"; \e signal counts for that. */
@@ -180,11 +180,11 @@ namespace ompl_mfa::campaign
         int consolePipe_{-1};
         std::string result_;
         std::string console_;
-        RunPhase seenPhase_{RunPhase::PREPARING};
+        RunPhase seenPhase_{RunPhase::Preparing};
         double phaseStart_{0.0};
         double phaseEnd_{0.0};
-        RunTermination killedFor_{RunTermination::UNKNOWN};
-        RunTermination termination_{RunTermination::UNKNOWN};
+        RunTermination killedFor_{RunTermination::Unknown};
+        RunTermination termination_{RunTermination::Unknown};
         int signal_{0};
         int exitStatus_{0};
     };

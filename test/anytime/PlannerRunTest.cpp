@@ -146,7 +146,7 @@ TEST(PlannerRun, IsKilledWhenItNeverReturns)
         [](const RunRequest &, RunMemory &memory) -> RunResult
         {
             ompl_mfa::campaign::startSolving(memory);
-            while (memory.phase == ompl_mfa::campaign::RunPhase::SOLVING)
+            while (memory.phase == ompl_mfa::campaign::RunPhase::Solving)
                 ;
             return {};
         });

@@ -78,7 +78,7 @@ namespace
         RunRecord record;
         record.planner = planner;
         record.run = run;
-        record.termination = RunTermination::RETURNED;
+        record.termination = RunTermination::Returned;
         record.properties = {{"run INTEGER", std::to_string(run)}, {"time REAL", "0.5"}};
         record.progressNames = {"best cost REAL"};
         record.progress = {{0.001, {"inf"}}, {0.002, {"3.5"}}};

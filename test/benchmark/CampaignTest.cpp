@@ -275,12 +275,12 @@ TEST_F(CampaignTest, SurvivesItsPlanners)
         std::string signal;
     };
     const std::map<std::string, Expected> expected = {
-        {"geometric_Crashing", {ob::PlannerStatus::CRASH, RunTermination::SIGNAL, std::to_string(SIGSEGV)}},
-        {"geometric_Aborting", {ob::PlannerStatus::CRASH, RunTermination::SIGNAL, std::to_string(SIGABRT)}},
-        {"geometric_Hanging", {ob::PlannerStatus::TIMEOUT, RunTermination::TIME_LIMIT, std::to_string(SIGKILL)}},
-        {"geometric_Throwing", {ob::PlannerStatus::CRASH, RunTermination::EXCEPTION, ""}},
-        {"geometric_Exiting", {ob::PlannerStatus::CRASH, RunTermination::EXITED, ""}},
-        {"geometric_RRTConnect", {ob::PlannerStatus::EXACT_SOLUTION, RunTermination::RETURNED, ""}}};
+        {"geometric_Crashing", {ob::PlannerStatus::CRASH, RunTermination::Signal, std::to_string(SIGSEGV)}},
+        {"geometric_Aborting", {ob::PlannerStatus::CRASH, RunTermination::Signal, std::to_string(SIGABRT)}},
+        {"geometric_Hanging", {ob::PlannerStatus::TIMEOUT, RunTermination::TimeLimit, std::to_string(SIGKILL)}},
+        {"geometric_Throwing", {ob::PlannerStatus::CRASH, RunTermination::Exception, ""}},
+        {"geometric_Exiting", {ob::PlannerStatus::CRASH, RunTermination::Exited, ""}},
+        {"geometric_RRTConnect", {ob::PlannerStatus::EXACT_SOLUTION, RunTermination::Returned, ""}}};
     for (const PlannerLog &planned : log.planners)
     {
         ASSERT_EQ(planned.runs.size(), 2u) << planned.name;
@@ -289,8 +289,8 @@ TEST_F(CampaignTest, SurvivesItsPlanners)
             if (planned.name == "geometric_Allocating")
             {
                 const int termination = std::stoi(value(run, "termination ENUM"));
-                EXPECT_TRUE(termination == static_cast<int>(RunTermination::MEMORY_LIMIT) ||
-                            termination == static_cast<int>(RunTermination::TIME_LIMIT));
+                EXPECT_TRUE(termination == static_cast<int>(RunTermination::MemoryLimit) ||
+                            termination == static_cast<int>(RunTermination::TimeLimit));
                 EXPECT_EQ(value(run, "solved BOOLEAN"), "0");
                 continue;
             }
@@ -315,7 +315,7 @@ TEST_F(CampaignTest, MemoryWithoutEndIsStoppedAtItsLimit)
     description.runCount = 1;
     const CampaignResult result = Campaign(description).run(options_);
     const LogProperties &run = result.log.planners.at(0).runs.at(0);
-    EXPECT_EQ(value(run, "termination ENUM"), std::to_string(static_cast<int>(RunTermination::MEMORY_LIMIT)));
+    EXPECT_EQ(value(run, "termination ENUM"), std::to_string(static_cast<int>(RunTermination::MemoryLimit)));
     EXPECT_EQ(value(run, "status ENUM"), std::to_string(static_cast<int>(ob::PlannerStatus::ABORT)));
 }
 
@@ -545,12 +545,12 @@ TEST_F(CampaignTest, MakesTheFolderOfItsLogOrSaysWhyNot)
 TEST_F(CampaignTest, SavesPaths)
 {
     CampaignDescription description = peacefulDescription();
-    description.savePaths = SavePaths::ALL;
+    description.savePaths = SavePaths::All;
     Campaign(description).run(options_);
     EXPECT_TRUE(std::filesystem::exists(folder_ / "test.geometric_RRTstar.2.path"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "test.geometric_RRTConnect.0.path"));
 
-    description.savePaths = SavePaths::SHORTEST;
+    description.savePaths = SavePaths::Shortest;
     options_.log = folder_ / "best.log";
     Campaign(description).run(options_);
     std::ifstream in(folder_ / "best.geometric_RRTstar.path");

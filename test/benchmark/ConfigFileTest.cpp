@@ -83,7 +83,7 @@ namespace
         EXPECT_EQ(config.problem.world->value, "w.yaml");
         EXPECT_EQ(config.problem.robotKind, ompl_mfa::RobotKind::DISC);
         EXPECT_EQ(config.problem.robotRadius, 0.3);
-        EXPECT_EQ(config.problem.space, StateSpaceKind::REEDS_SHEPP);
+        EXPECT_EQ(config.problem.space, StateSpaceKind::ReedsShepp);
         EXPECT_EQ(config.problem.turningRadius, 2.5);
         EXPECT_EQ(config.problem.start.x, 1.0);
         EXPECT_EQ(config.problem.start.theta, 7.0);
@@ -103,7 +103,7 @@ namespace
         EXPECT_EQ(config.benchmark.memoryLimit, 300.0);
         EXPECT_EQ(config.benchmark.runCount, 4u);
         EXPECT_EQ(config.benchmark.output.string(), "logs");
-        EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::SavePaths::SHORTEST);
+        EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::SavePaths::Shortest);
         EXPECT_FALSE(config.benchmark.simplify);
         EXPECT_EQ(config.benchmark.seed, 9u);
         EXPECT_EQ(config.benchmark.progressInterval, 0.001);
@@ -118,7 +118,7 @@ namespace
         EXPECT_FALSE(config.problem.objective);
         EXPECT_EQ(config.problem.threshold, 1e-6);
         EXPECT_EQ(config.problem.motionValidation.value, ompl_mfa::collision::MotionValidation::Discrete);
-        EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::SavePaths::NONE);
+        EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::SavePaths::None);
         EXPECT_TRUE(config.benchmark.simplify);
         EXPECT_EQ(config.benchmark.seed, 1u);
         EXPECT_TRUE(config.planners.empty());
@@ -135,9 +135,9 @@ namespace
         EXPECT_EQ(parse(PLANAR + spatial).problem.space, StateSpaceKind::R3);
         EXPECT_EQ(parse(PLANAR + turned).problem.space, StateSpaceKind::SE2);
         EXPECT_EQ(parse(PLANAR + spatial + turned + axes).problem.space, StateSpaceKind::SE3);
-        EXPECT_EQ(parse(PLANAR + turned + "statespace = dubins\n").problem.space, StateSpaceKind::DUBINS);
+        EXPECT_EQ(parse(PLANAR + turned + "statespace = dubins\n").problem.space, StateSpaceKind::Dubins);
         EXPECT_EQ(parse(PLANAR + turned + "statespace = DubinsSymmetric\n").problem.space,
-                  StateSpaceKind::DUBINS_SYMMETRIC);
+                  StateSpaceKind::DubinsSymmetric);
         EXPECT_NE(errorOf(PLANAR + "start.theta = 1\n"), "");
         EXPECT_NE(errorOf(PLANAR + spatial + turned), "");
         EXPECT_NE(errorOf(PLANAR + spatial + turned + "start.axis.x = 1\ngoal.axis.x = 1\n"), "");

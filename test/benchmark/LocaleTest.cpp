@@ -134,7 +134,7 @@ MFA.GAMMA = 0.25
                                 entry("Crashing", crashingPlanner())};
         description.settings.timeLimit = 0.125;
         description.runCount = 1;
-        description.savePaths = SavePaths::ALL;
+        description.savePaths = SavePaths::All;
         return description;
     }
 

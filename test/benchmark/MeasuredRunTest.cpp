@@ -80,7 +80,7 @@ namespace
             [&] { return writeRunRecord(measureRun([] { return planarProblem(); }, planner, settings, seed, *state)); },
             RunLimits(), state);
         process.wait();
-        EXPECT_EQ(process.termination(), ompl_mfa::RunTermination::RETURNED) << process.console();
+        EXPECT_EQ(process.termination(), ompl_mfa::RunTermination::Returned) << process.console();
         return ompl_mfa::readRunRecord(process.result());
     }
 
@@ -302,7 +302,7 @@ TEST(MeasuredRun, KeepsApproximateSolutionsApart)
         },
         RunLimits(), state);
     process.wait();
-    ASSERT_EQ(process.termination(), ompl_mfa::RunTermination::RETURNED);
+    ASSERT_EQ(process.termination(), ompl_mfa::RunTermination::Returned);
     const RunRecord record = ompl_mfa::readRunRecord(process.result());
     EXPECT_EQ(number(record, "solved BOOLEAN"), 0.0);
     EXPECT_EQ(record.properties.count("solution length REAL"), 0u);
@@ -356,7 +356,7 @@ TEST(MeasuredRun, TheTimeIsThePlannersOwn)
 TEST(MeasuredRun, AThrowingPlannerIsACrash)
 {
     const RunRecord record = run(ompl_mfa_test::throwingPlanner(), shortRun(), 1);
-    EXPECT_EQ(record.termination, ompl_mfa::RunTermination::EXCEPTION);
+    EXPECT_EQ(record.termination, ompl_mfa::RunTermination::Exception);
     EXPECT_EQ(number(record, "status ENUM"), static_cast<double>(ob::PlannerStatus::CRASH));
 }
 

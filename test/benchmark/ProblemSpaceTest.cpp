@@ -71,10 +71,10 @@ namespace
         EXPECT_EQ(spaceOf(StateSpaceKind::R3)->getDimension(), 3u);
         EXPECT_EQ(spaceOf(StateSpaceKind::SE2)->getDimension(), 3u);
         EXPECT_EQ(spaceOf(StateSpaceKind::SE3)->getDimension(), 6u);
-        EXPECT_TRUE(std::dynamic_pointer_cast<ob::DubinsStateSpace>(spaceOf(StateSpaceKind::DUBINS)));
-        EXPECT_FALSE(spaceOf(StateSpaceKind::DUBINS)->hasSymmetricDistance());
-        EXPECT_TRUE(spaceOf(StateSpaceKind::DUBINS_SYMMETRIC)->hasSymmetricDistance());
-        EXPECT_TRUE(std::dynamic_pointer_cast<ob::ReedsSheppStateSpace>(spaceOf(StateSpaceKind::REEDS_SHEPP)));
+        EXPECT_TRUE(std::dynamic_pointer_cast<ob::DubinsStateSpace>(spaceOf(StateSpaceKind::Dubins)));
+        EXPECT_FALSE(spaceOf(StateSpaceKind::Dubins)->hasSymmetricDistance());
+        EXPECT_TRUE(spaceOf(StateSpaceKind::DubinsSymmetric)->hasSymmetricDistance());
+        EXPECT_TRUE(std::dynamic_pointer_cast<ob::ReedsSheppStateSpace>(spaceOf(StateSpaceKind::ReedsShepp)));
     }
 
     TEST(ProblemSpace, CarsTurnOnTheGivenRadius)
@@ -83,7 +83,7 @@ namespace
         ConfigPose to;
         to.y = 5.0;
         to.theta = PI;
-        for (const auto kind : {StateSpaceKind::DUBINS, StateSpaceKind::DUBINS_SYMMETRIC})
+        for (const auto kind : {StateSpaceKind::Dubins, StateSpaceKind::DubinsSymmetric})
         {
             const auto space = spaceOf(kind, 2.5);
             const auto a = ompl_mfa::makeState(space, kind, from);
@@ -94,7 +94,7 @@ namespace
 
     TEST(ProblemSpace, AnglesOfAnySizeAreNormalised)
     {
-        for (const auto kind : {StateSpaceKind::SE2, StateSpaceKind::REEDS_SHEPP})
+        for (const auto kind : {StateSpaceKind::SE2, StateSpaceKind::ReedsShepp})
         {
             const auto space = spaceOf(kind);
             for (const double theta : {PI, -PI, 3.5 * PI, -1e6, 0.25})
@@ -152,7 +152,7 @@ namespace
     TEST(ProblemSpace, EverySpaceProjectsToItsPosition)
     {
         for (const auto kind : {StateSpaceKind::R2, StateSpaceKind::R3, StateSpaceKind::SE2, StateSpaceKind::SE3,
-                                StateSpaceKind::DUBINS, StateSpaceKind::REEDS_SHEPP})
+                                StateSpaceKind::Dubins, StateSpaceKind::ReedsShepp})
         {
             const auto space = spaceOf(kind);
             auto si = std::make_shared<ob::SpaceInformation>(space);
@@ -179,7 +179,7 @@ namespace
         pose.theta = 0.5;
         EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::R2, pose), "(1.5, 0)");
         EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::R3, pose), "(1.5, 0, 3)");
-        EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::DUBINS, pose), "(1.5, 0, theta 0.5)");
+        EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::Dubins, pose), "(1.5, 0, theta 0.5)");
         EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::SE3, pose), "(1.5, 0, 3, theta 0.5)");
     }
 }  // namespace

@@ -50,7 +50,7 @@ namespace
         record.planner = "geometric_A";
         record.run = run;
         record.seed = 2147483647u;
-        record.termination = ompl_mfa::RunTermination::SIGNAL;
+        record.termination = ompl_mfa::RunTermination::Signal;
         record.signal = 11;
         record.message = "line one\nbytes \xff\xfe";
         record.properties = {{"time REAL", "inf"}, {"status ENUM", "7"}};

@@ -46,7 +46,7 @@ using ompl_mfa::RunTermination;
 TEST(RunText, SaysWhatCameOut)
 {
     RunRecord record;
-    record.termination = RunTermination::RETURNED;
+    record.termination = RunTermination::Returned;
     record.properties = {{"status ENUM", "6"}, {"path cost REAL", "12.5"}, {"simplified path cost REAL", "11"}};
     EXPECT_EQ(describeRun(record), "Exact solution, cost 12.5, simplified 11");
     record.properties = {{"status ENUM", "4"}};
@@ -56,7 +56,7 @@ TEST(RunText, SaysWhatCameOut)
 TEST(RunText, SaysWhyARunDidNotReturn)
 {
     RunRecord record;
-    record.termination = RunTermination::SIGNAL;
+    record.termination = RunTermination::Signal;
     record.signal = SIGABRT;
     EXPECT_EQ(describeRun(record), "ended by signal 6 (Aborted)");
     record.message = "first\nassertion\x1b failed";

@@ -89,7 +89,7 @@ namespace
                 work.body = body;
                 work.report = [](const RunProcess &process)
                 {
-                    const bool returned = process.termination() == RunTermination::RETURNED;
+                    const bool returned = process.termination() == RunTermination::Returned;
                     return RunReport{{{"text", process.result()}},
                                      describeTermination(process.termination(), process.signal()),
                                      !returned};

@@ -111,7 +111,7 @@ TEST(RunProcess, HandsBackTextOfAnyLength)
 {
     const std::string expected(3000000, 'x');
     const auto process = runToEnd([&expected](RunState &) { return expected; });
-    EXPECT_EQ(process->termination(), RunTermination::RETURNED);
+    EXPECT_EQ(process->termination(), RunTermination::Returned);
     EXPECT_EQ(process->result(), expected);
     EXPECT_EQ(process->signal(), 0);
 }
@@ -119,7 +119,7 @@ TEST(RunProcess, HandsBackTextOfAnyLength)
 TEST(RunProcess, SharesItsStateWhileAndAfterItRuns)
 {
     const auto notes = makeShared<Notes>();
-    EXPECT_EQ(notes->phase, RunPhase::PREPARING);
+    EXPECT_EQ(notes->phase, RunPhase::Preparing);
     EXPECT_EQ(notes->values[999], 0.0);
     RunProcess process(
         [notes]() -> std::string
@@ -135,7 +135,7 @@ TEST(RunProcess, SharesItsStateWhileAndAfterItRuns)
     EXPECT_EQ(process.signal(), SIGABRT);
     EXPECT_EQ(notes->number, 42);
     EXPECT_EQ(notes->values[999], 1.5);
-    EXPECT_EQ(process.state().phase, RunPhase::SOLVING);
+    EXPECT_EQ(process.state().phase, RunPhase::Solving);
     EXPECT_GT(process.state().residentAtStart, 0u);
     EXPECT_GT(process.state().solveStart, 0.0);
 }
@@ -152,7 +152,7 @@ TEST(RunProcess, RecordsSignals)
                 raise(number);
                 return "not reached";
             });
-        EXPECT_EQ(process->termination(), RunTermination::SIGNAL);
+        EXPECT_EQ(process->termination(), RunTermination::Signal);
         EXPECT_EQ(process->signal(), number);
         EXPECT_EQ(process->result(), "");
     }
@@ -161,7 +161,7 @@ TEST(RunProcess, RecordsSignals)
 TEST(RunProcess, KeepsWhatAnExceptionSays)
 {
     const auto process = runToEnd([](RunState &) -> std::string { throw std::runtime_error("no path, no glory"); });
-    EXPECT_EQ(process->termination(), RunTermination::EXCEPTION);
+    EXPECT_EQ(process->termination(), RunTermination::Exception);
     EXPECT_EQ(process->console(), "no path, no glory");
     EXPECT_FALSE(process->refused());
 
@@ -171,7 +171,7 @@ TEST(RunProcess, KeepsWhatAnExceptionSays)
             std::cerr << "first this\n";
             throw ompl_mfa::InputError("bad.cfg:1: no");
         });
-    EXPECT_EQ(input->termination(), RunTermination::EXCEPTION);
+    EXPECT_EQ(input->termination(), RunTermination::Exception);
     EXPECT_TRUE(input->refused());
     EXPECT_EQ(input->lastLine(), "bad.cfg:1: no");
 }
@@ -179,10 +179,10 @@ TEST(RunProcess, KeepsWhatAnExceptionSays)
 TEST(RunProcess, TakesAnExitForWhatItIs)
 {
     const auto process = runToEnd([](RunState &) -> std::string { _exit(7); });
-    EXPECT_EQ(process->termination(), RunTermination::EXITED);
+    EXPECT_EQ(process->termination(), RunTermination::Exited);
     EXPECT_EQ(process->exitStatus(), 7);
     const auto success = runToEnd([](RunState &) -> std::string { _exit(0); });
-    EXPECT_EQ(success->termination(), RunTermination::EXITED);
+    EXPECT_EQ(success->termination(), RunTermination::Exited);
 }
 
 TEST(RunProcess, KeepsTheEndOfWhatIsPrinted)
@@ -197,7 +197,7 @@ TEST(RunProcess, KeepsTheEndOfWhatIsPrinted)
             std::cerr << "the last words" << std::endl;
             return std::string("done");
         });
-    EXPECT_EQ(process->termination(), RunTermination::RETURNED);
+    EXPECT_EQ(process->termination(), RunTermination::Returned);
     EXPECT_LE(process->console().size(), 4096u);
     EXPECT_NE(process->console().find("the last words"), std::string::npos);
 }
@@ -215,7 +215,7 @@ TEST(RunProcess, KillsWhatDoesNotReturn)
             sleepForever();
         },
         limits);
-    EXPECT_EQ(process->termination(), RunTermination::TIME_LIMIT);
+    EXPECT_EQ(process->termination(), RunTermination::TimeLimit);
     EXPECT_EQ(process->signal(), SIGKILL);
     EXPECT_GE(ompl_mfa::campaign::monotonicSeconds() - start, 0.3);
     EXPECT_GE(process->phaseTime(), 0.3);
@@ -226,7 +226,7 @@ TEST(RunProcess, EachPhaseHasItsLimit)
     RunLimits limits;
     limits.prepare = 0.2;
     const auto preparing = runToEnd([](RunState &) -> std::string { sleepForever(); }, limits);
-    EXPECT_EQ(preparing->termination(), RunTermination::TIME_LIMIT);
+    EXPECT_EQ(preparing->termination(), RunTermination::TimeLimit);
 
     limits.prepare = 100.0;
     limits.solve = 100.0;
@@ -235,11 +235,11 @@ TEST(RunProcess, EachPhaseHasItsLimit)
         [](RunState &state) -> std::string
         {
             startSolving(state);
-            state.phase = RunPhase::FINISHING;
+            state.phase = RunPhase::Finishing;
             sleepForever();
         },
         limits);
-    EXPECT_EQ(finishing->termination(), RunTermination::TIME_LIMIT);
+    EXPECT_EQ(finishing->termination(), RunTermination::TimeLimit);
 }
 
 TEST(RunProcess, EndsWhatAllocatesWithoutEnd)
@@ -259,7 +259,7 @@ TEST(RunProcess, EndsWhatAllocatesWithoutEnd)
             }
         },
         limits);
-    EXPECT_EQ(process->termination(), RunTermination::MEMORY_LIMIT);
+    EXPECT_EQ(process->termination(), RunTermination::MemoryLimit);
 }
 
 TEST(RunProcess, EndsWhatReservesWithoutTouching)
@@ -281,7 +281,7 @@ TEST(RunProcess, EndsWhatReservesWithoutTouching)
             }
         },
         limits);
-    EXPECT_EQ(process->termination(), RunTermination::MEMORY_LIMIT);
+    EXPECT_EQ(process->termination(), RunTermination::MemoryLimit);
 #endif
 }
 
@@ -297,7 +297,7 @@ TEST(RunProcess, LeavesNoProcessBehind)
             }
             return std::to_string(left);
         });
-    ASSERT_EQ(process->termination(), RunTermination::RETURNED);
+    ASSERT_EQ(process->termination(), RunTermination::Returned);
     const pid_t left = std::stoi(process->result());
     waitUntilDead(left);
     EXPECT_FALSE(isAlive(left));
@@ -374,8 +374,8 @@ TEST(RunProcess, MayTakeSoMuchProcessorTimeOnceItSolves)
             return "not reached";
         },
         limits);
-    EXPECT_EQ(process->termination(), RunTermination::TIME_LIMIT);
-    EXPECT_EQ(process->state().phase, RunPhase::SOLVING);
+    EXPECT_EQ(process->termination(), RunTermination::TimeLimit);
+    EXPECT_EQ(process->state().phase, RunPhase::Solving);
     EXPECT_GE(process->state().processorAtStart, 0.3);
 
     const auto idle = runToEnd(
@@ -386,7 +386,7 @@ TEST(RunProcess, MayTakeSoMuchProcessorTimeOnceItSolves)
             return std::string("slept");
         },
         limits);
-    EXPECT_EQ(idle->termination(), RunTermination::RETURNED) << "time that passes is not processor time";
+    EXPECT_EQ(idle->termination(), RunTermination::Returned) << "time that passes is not processor time";
 }
 
 TEST(RunProcess, StaysOnItsCore)
@@ -405,7 +405,7 @@ TEST(RunProcess, StaysOnItsCore)
 
 TEST(DescribeTermination, HasWordsForEveryEnd)
 {
-    EXPECT_EQ(describeTermination(RunTermination::SIGNAL, SIGSEGV), "ended by signal 11 (Segmentation fault)");
-    EXPECT_EQ(describeTermination(RunTermination::TIME_LIMIT, SIGKILL), "killed at its time limit");
-    EXPECT_EQ(describeTermination(RunTermination::EXCEPTION, 0), "threw an exception");
+    EXPECT_EQ(describeTermination(RunTermination::Signal, SIGSEGV), "ended by signal 11 (Segmentation fault)");
+    EXPECT_EQ(describeTermination(RunTermination::TimeLimit, SIGKILL), "killed at its time limit");
+    EXPECT_EQ(describeTermination(RunTermination::Exception, 0), "threw an exception");
 }

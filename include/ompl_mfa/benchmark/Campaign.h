@@ -95,7 +95,7 @@ namespace ompl_mfa
         unsigned int runCount{100};
         /** \brief Run k of every planner has the seed runSeed(seed, k). */
         std::uint64_t seed{1};
-        SavePaths savePaths{SavePaths::NONE};
+        SavePaths savePaths{SavePaths::None};
         /** \brief Whatever else makes this campaign differ from another one: the text of its files. */
         std::string identity;
     };

@@ -55,13 +55,13 @@ namespace ompl_mfa
     /** \brief The state space of a problem. It follows from the keys of start and goal and from `statespace`. */
     enum class StateSpaceKind
     {
-        R2,                ///< x, y: a point or a disc
-        R3,                ///< x, y, z: a point or a ball
-        SE2,               ///< x, y, theta
-        SE3,               ///< x, y, z, axis.x, axis.y, axis.z, theta
-        DUBINS,            ///< SE2 with `statespace = dubins`
-        DUBINS_SYMMETRIC,  ///< SE2 with `statespace = dubinssymmetric`
-        REEDS_SHEPP        ///< SE2 with `statespace = reedsshepp`
+        R2,               ///< x, y: a point or a disc
+        R3,               ///< x, y, z: a point or a ball
+        SE2,              ///< x, y, theta
+        SE3,              ///< x, y, z, axis.x, axis.y, axis.z, theta
+        Dubins,           ///< SE2 with `statespace = dubins`
+        DubinsSymmetric,  ///< SE2 with `statespace = dubinssymmetric`
+        ReedsShepp        ///< SE2 with `statespace = reedsshepp`
     };
 
     /** \brief What a problem's robot is. */
@@ -169,9 +169,9 @@ namespace ompl_mfa
 
     enum class SavePaths
     {
-        NONE,
-        ALL,
-        SHORTEST
+        None,
+        All,
+        Shortest
     };
 
     /** \brief Seconds, some thirty years: clocks that count nanoseconds can still add it to the time of the day. */
@@ -190,7 +190,7 @@ namespace ompl_mfa
         unsigned int runCount{100};
         /** \brief Folder of the log, with `~` replaced by the home folder; empty: beside the config. */
         std::filesystem::path output;
-        SavePaths savePaths{SavePaths::NONE};
+        SavePaths savePaths{SavePaths::None};
         bool simplify{true};
         /** \brief Seed of the whole campaign, above 0. */
         std::uint_fast32_t seed{1};
