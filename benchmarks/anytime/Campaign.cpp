@@ -121,8 +121,8 @@ namespace ompl_mfa::anytime
             if (!process.lastLine().empty())
                 report.text += " (" + process.lastLine() + ")";
             if (result.at("solved"))
-                report.text +=
-                    ", cost " + numberText(result.at("cost"), 6) + (result.at("valid") ? "" : ", which fails check()");
+                report.text += ", cost " + text::numberText(result.at("cost"), 6) +
+                               (result.at("valid") ? "" : ", which fails check()");
             return report;
         }
 

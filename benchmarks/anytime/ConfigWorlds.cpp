@@ -50,7 +50,7 @@ namespace ompl_mfa::anytime
         /* Every world is measured by path length, whatever its config asks for. */
         Problem makeConfigProblem(const std::filesystem::path &file)
         {
-            const auto setup = ProblemFactory(readBenchmarkConfig(file)).create();
+            const auto setup = benchmark::ProblemFactory(benchmark::readBenchmarkConfig(file)).create();
             const auto &pdef = setup->getProblemDefinition();
             const auto length = std::make_shared<ob::PathLengthOptimizationObjective>(setup->getSpaceInformation());
             length->setCostThreshold(ob::Cost(0.0));
@@ -60,8 +60,8 @@ namespace ompl_mfa::anytime
 
         bool isRigidBody(const std::filesystem::path &file)
         {
-            const StateSpaceKind kind = readBenchmarkConfig(file).problem.space;
-            return kind == StateSpaceKind::SE2 || kind == StateSpaceKind::SE3;
+            const benchmark::StateSpaceKind kind = benchmark::readBenchmarkConfig(file).problem.space;
+            return kind == benchmark::StateSpaceKind::SE2 || kind == benchmark::StateSpaceKind::SE3;
         }
 
         World configWorld(const std::filesystem::path &file, const std::string &prefix)

@@ -72,7 +72,7 @@ namespace ompl_mfa::anytime
             }
 #ifdef OMPL_MFA_HAS_AORRTC
             if (const auto *aorrtc = dynamic_cast<const ompl::geometric::AORRTC *>(&planner))
-                return [aorrtc] { return numberText(aorrtc->bestCost().value()); };
+                return [aorrtc] { return text::numberText(aorrtc->bestCost().value()); };
 #endif
             return {};
         }
@@ -172,7 +172,7 @@ namespace ompl_mfa::anytime
             return;
         double cost = 0.0;
         // some planners call their cost 0 before they have a path
-        if (readNumber(bestCost_(), cost) && cost > 0.0)
+        if (text::readNumber(bestCost_(), cost) && cost > 0.0)
             offer(cost);
     }
 

@@ -106,7 +106,7 @@ namespace ompl_mfa::anytime
         ompl::msg::noOutputHandler();
         ompl::RNG::setSeed(request.seed);
         const Problem problem = request.world->make();
-        const ob::PlannerPtr planner = createPlanner(problem.si, parsePlanner(request.planner));
+        const ob::PlannerPtr planner = benchmark::createPlanner(problem.si, parsePlanner(request.planner));
         planner->setProblemDefinition(problem.pdef);
         const std::uint64_t checksBefore = problem.checker->checks();
         campaign::startSolving(memory);

@@ -99,15 +99,15 @@ namespace ompl_mfa::anytime
         return planners;
     }
 
-    PlannerSpec parsePlanner(const std::string &text)
+    benchmark::PlannerSpec parsePlanner(const std::string &text)
     {
         const std::string origin = "--planners";
         const std::size_t colon = text.find(':');
-        PlannerSpec spec;
+        benchmark::PlannerSpec spec;
         spec.type = text.substr(0, colon);
         spec.name = text;
         spec.origin = origin;
-        requireKnownPlanner(spec.type, origin);
+        benchmark::requireKnownPlanner(spec.type, origin);
         if (colon == std::string::npos)
             return spec;
         for (const std::string &part : split(text.substr(colon + 1), ','))

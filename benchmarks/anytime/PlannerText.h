@@ -54,7 +54,7 @@ namespace ompl_mfa::anytime
 
     /** \brief Reads `PLANNER` or `PLANNER:KEY=VALUE,...`. Throws InputError where the planner is not known or the text
         has another form; the parameters are checked when the planner is made. */
-    PlannerSpec parsePlanner(const std::string &text);
+    benchmark::PlannerSpec parsePlanner(const std::string &text);
 }  // namespace ompl_mfa::anytime
 
 #endif

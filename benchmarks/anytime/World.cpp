@@ -88,7 +88,7 @@ namespace ompl_mfa::anytime
     Problem countChecks(const ob::SpaceInformationPtr &si, const ob::ProblemDefinitionPtr &pdef)
     {
         Problem problem{si, pdef, nullptr};
-        const auto checker = std::make_shared<CountingValidityChecker>(si, si->getStateValidityChecker());
+        const auto checker = std::make_shared<path::CountingValidityChecker>(si, si->getStateValidityChecker());
         problem.checker = checker;
         si->setStateValidityChecker(checker);
         si->setup();

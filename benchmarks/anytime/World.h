@@ -58,7 +58,7 @@ namespace ompl_mfa::anytime
     {
         ompl::base::SpaceInformationPtr si;
         ompl::base::ProblemDefinitionPtr pdef;
-        std::shared_ptr<const CountingValidityChecker> checker;
+        std::shared_ptr<const path::CountingValidityChecker> checker;
     };
 
     /** \brief A problem that is made anew, and always alike, in the process of each run. */

@@ -77,7 +77,7 @@ namespace
         for (const auto &world : anytime::allWorlds())
             std::cout << world.name << '\n';
         std::cout << "\nplanners, as PLANNER[:KEY=VALUE,...]:";
-        for (const auto &name : ompl_mfa::plannerNames())
+        for (const auto &name : ompl_mfa::benchmark::plannerNames())
             std::cout << ' ' << name;
         std::cout << "\npeers:";
         for (const auto &name : anytime::peers())

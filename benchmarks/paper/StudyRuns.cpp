@@ -145,7 +145,7 @@ std::ofstream ompl_mfa::paper::openTable(const StudyOptions &options, const std:
 
 ompl_mfa::paper::Json ompl_mfa::paper::numberToJson(double value)
 {
-    return std::isfinite(value) ? Json(value) : Json(numberText(value));
+    return std::isfinite(value) ? Json(value) : Json(ompl_mfa::text::numberText(value));
 }
 
 double ompl_mfa::paper::numberFrom(const Json &value)
@@ -153,7 +153,7 @@ double ompl_mfa::paper::numberFrom(const Json &value)
     double number = 0.0;
     if (!value.is_string())
         return value.get<double>();
-    if (!readNumber(value.get<std::string>(), number))
+    if (!ompl_mfa::text::readNumber(value.get<std::string>(), number))
         throw std::invalid_argument("not a number: " + value.get<std::string>());
     return number;
 }

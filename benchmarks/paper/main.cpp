@@ -79,7 +79,7 @@ namespace
             {"slices", ompl_mfa::paper::studySlices},
             {"functions", ompl_mfa::paper::studyFunctions}};
         for (const auto &part : parts)
-            ompl_mfa::requireKnown("part", part, {"scenes", "planner", "paths", "slices", "functions"});
+            ompl_mfa::text::requireKnown("part", part, {"scenes", "planner", "paths", "slices", "functions"});
         for (const auto &step : steps)
         {
             if (std::find(parts.begin(), parts.end(), step.first) == parts.end())

@@ -50,7 +50,7 @@
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -58,7 +58,7 @@ namespace ompl_mfa
         std::string cleanValue(const std::string &value)
         {
             double number = 0.0;
-            if (readNumber(value, number) && !std::isfinite(number))
+            if (text::readNumber(value, number) && !std::isfinite(number))
             {
                 return std::isinf(number) && number > 0.0 ? "inf" : "nan";
             }
@@ -100,10 +100,10 @@ namespace ompl_mfa
             writeBlock(out, log.setup);
             writeBlock(out, log.cpu);
             out << log.seed << " is the random seed\n"
-                << numberText(log.timeLimit, DIGITS) << " seconds per run\n"
-                << numberText(log.memoryLimit, DIGITS) << " MB per run\n"
+                << text::numberText(log.timeLimit, DIGITS) << " seconds per run\n"
+                << text::numberText(log.memoryLimit, DIGITS) << " MB per run\n"
                 << log.runCount << " runs per planner\n"
-                << numberText(log.duration, DIGITS) << " seconds spent to collect the data\n"
+                << text::numberText(log.duration, DIGITS) << " seconds spent to collect the data\n"
                 << log.enums.size() << " enum type" << (log.enums.size() == 1 ? "" : "s") << "\n";
             for (const LogEnum &entry : log.enums)
             {
@@ -156,7 +156,7 @@ namespace ompl_mfa
                 std::string last;
                 for (const ProgressSample &sample : samples)
                 {
-                    const std::string time = fixedText(sample.time, 6);
+                    const std::string time = text::fixedText(sample.time, 6);
                     if (time == last)
                     {
                         continue;
@@ -176,7 +176,7 @@ namespace ompl_mfa
 
     void writeBenchmarkLog(std::ostream &out, const BenchmarkLog &log)
     {
-        const PlainNumbers plainNumbers(out);
+        const text::PlainNumbers plainNumbers(out);
         writeHeader(out, log);
         out << log.planners.size() << " planners\n";
         for (const PlannerLog &planner : log.planners)
@@ -211,4 +211,4 @@ namespace ompl_mfa
             throw InputError(file.string() + ": cannot be written: " + std::strerror(errno));
         }
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

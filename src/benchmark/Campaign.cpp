@@ -58,7 +58,7 @@
 namespace ob = ompl::base;
 using ompl_mfa::campaign::RunProcess;
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -81,10 +81,11 @@ namespace ompl_mfa
             RunRecord record;
             record.properties["solved BOOLEAN"] = "0";
             record.properties["status ENUM"] = std::to_string(static_cast<int>(statusOf(process.termination())));
-            record.properties["time REAL"] = numberText(state.phase == RunPhase::Solving ? process.phaseTime() : 0.0);
+            record.properties["time REAL"] =
+                text::numberText(state.phase == RunPhase::Solving ? process.phaseTime() : 0.0);
             record.properties["collision checks INTEGER"] = std::to_string(state.collisionChecks);
-            record.properties["time to first solution REAL"] = numberText(state.firstSolution);
-            record.properties["final best cost REAL"] = numberText(state.bestCost);
+            record.properties["time to first solution REAL"] = text::numberText(state.firstSolution);
+            record.properties["final best cost REAL"] = text::numberText(state.bestCost);
             return record;
         }
 
@@ -319,4 +320,4 @@ namespace ompl_mfa
     {
         return log.string() + ".journal";
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -50,7 +50,7 @@ namespace ob = ompl::base;
 using ompl_mfa::campaign::JournalHeader;
 using ompl_mfa::campaign::Json;
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -295,4 +295,4 @@ namespace ompl_mfa
         }
         return log;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

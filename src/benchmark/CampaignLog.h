@@ -46,7 +46,7 @@
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 #include "ompl_mfa/benchmark/Campaign.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief A journal of `ompl_mfa benchmark`. */
     struct CampaignRuns
@@ -72,6 +72,6 @@ namespace ompl_mfa
 
     /** \brief The log of \e runs, whatever their order. */
     OMPL_MFA_EXPORT BenchmarkLog assembleLog(const CampaignRuns &runs);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

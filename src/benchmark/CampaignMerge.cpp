@@ -44,7 +44,7 @@
 
 #include "ompl_mfa/InputError.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -232,4 +232,4 @@ namespace ompl_mfa
         writeJournal(Campaign::journalFile(output), merged);
         return log;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

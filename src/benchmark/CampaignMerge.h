@@ -45,7 +45,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief Joins the parts of one campaign. \e names stand for the parts in messages.
 
@@ -61,6 +61,6 @@ namespace ompl_mfa
         when \e output has a journal of another campaign. */
     OMPL_MFA_EXPORT BenchmarkLog mergeCampaign(const std::vector<std::string> &parts,
                                                const std::filesystem::path &output, bool allowMissing);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

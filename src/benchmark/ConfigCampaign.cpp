@@ -44,7 +44,7 @@
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -122,4 +122,4 @@ namespace ompl_mfa
         }
         return folder / (name + ".log");
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -53,7 +53,7 @@
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "text/NearestName.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -115,7 +115,7 @@ namespace ompl_mfa
             {
                 insertOnce(section, key, entry);
                 if (!setValue(rows, key, entry, config))
-                    failAt(entry, "unknown key" + suggestion(key, keysOf(rows)));
+                    failAt(entry, "unknown key" + text::suggestion(key, keysOf(rows)));
             }
 
             void sortProblem(const std::string &key, const ConfigEntry &entry)
@@ -126,7 +126,7 @@ namespace ompl_mfa
                 for (const auto &contextKey : keysOf(contextRows()))
                     keys.push_back(contextKey);
                 if (std::find(keys.begin(), keys.end(), key) == keys.end())
-                    failAt(entry, "unknown key" + suggestion(key, keys));
+                    failAt(entry, "unknown key" + text::suggestion(key, keys));
                 if (entry.value.empty())
                     failAt(entry, "the value is missing");
                 insertOnce(problem_, key, entry);
@@ -432,4 +432,4 @@ namespace ompl_mfa
         failAt(entry, "no such file; sought " + sought +
                           " (OMPL_MFA_RESOURCE_DIR may name further folders, separated by colons)");
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

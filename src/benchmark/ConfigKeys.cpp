@@ -47,7 +47,7 @@
 #include "benchmark/FileNames.h"
 #include "text/NumberText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -68,11 +68,11 @@ namespace ompl_mfa
                     [accepted, isAccepted](const ConfigEntry &entry)
                     {
                         double value = 0.0;
-                        if (!readNumber(entry.value, value) || !std::isfinite(value) || !isAccepted(value))
+                        if (!text::readNumber(entry.value, value) || !std::isfinite(value) || !isAccepted(value))
                             failAt(entry, "expected " + accepted);
                         return value;
                     },
-                    [](double value) { return numberText(value); }};
+                    [](double value) { return text::numberText(value); }};
         }
 
         ValueType<double> finite()
@@ -384,7 +384,7 @@ namespace ompl_mfa
         {
             Rows<CampaignConfig> rows;
             rows.add("time_limit",
-                     number("a number above 0, at most " + numberText(LONGEST_TIME_LIMIT),
+                     number("a number above 0, at most " + text::numberText(LONGEST_TIME_LIMIT),
                             [](double value) { return value > 0.0 && value <= LONGEST_TIME_LIMIT; }),
                      &CampaignConfig::timeLimit, "seconds a run");
             rows.add("mem_limit", positive(), &CampaignConfig::memoryLimit, "megabytes a run");
@@ -404,11 +404,12 @@ namespace ompl_mfa
             rows.add("simplify", onOff(), &CampaignConfig::simplify, "whether paths are simplified after the run");
             rows.add("seed", whole<std::uint_fast32_t>(LARGEST_WHOLE), &CampaignConfig::seed, "seed of the campaign");
             rows.add({"progress_interval"},
-                     number("a number of at least " + numberText(SHORTEST_PROGRESS_INTERVAL) +
+                     number("a number of at least " + text::numberText(SHORTEST_PROGRESS_INTERVAL) +
                                 ", and of a millionth of time_limit",
                             [](double value) { return value >= SHORTEST_PROGRESS_INTERVAL; }),
                      &CampaignConfig::progressInterval,
-                     numberText(CampaignConfig().progressInterval) + ", or a 100000th of time_limit where that is more",
+                     text::numberText(CampaignConfig().progressInterval) +
+                         ", or a 100000th of time_limit where that is more",
                      "seconds between two samples of a planner's progress");
             rows.add({"iteration_limit"}, whole<std::uint64_t>(LARGEST_WHOLE), &CampaignConfig::iterationLimit, "none",
                      "how often a planner may ask whether to stop before it has to");
@@ -421,4 +422,4 @@ namespace ompl_mfa
     {
         return wordOf(SAMPLERS, sampler);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

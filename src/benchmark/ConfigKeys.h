@@ -47,7 +47,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief Keys of a config that are alike: what they accept, what holds without them, what they mean, and where
        their values go. docs/configs.md has the same rows, and a test compares them. */
@@ -103,6 +103,6 @@ namespace ompl_mfa
         }
         return false;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -47,7 +47,7 @@
 #include "ompl_mfa/PlainText.h"
 #include "text/NumberText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -114,7 +114,7 @@ namespace ompl_mfa
     double realValue(const ConfigEntry &entry)
     {
         double number = 0.0;
-        if (!readNumber(entry.value, number) || !std::isfinite(number))
+        if (!text::readNumber(entry.value, number) || !std::isfinite(number))
             failAt(entry, "expected a finite number");
         return number;
     }
@@ -122,7 +122,7 @@ namespace ompl_mfa
     std::uint_fast64_t wholeValue(const ConfigEntry &entry, std::uint_fast64_t first, std::uint_fast64_t last)
     {
         std::uint_fast64_t number = 0;
-        if (!readNumber(entry.value, number) || number < first || number > last)
+        if (!text::readNumber(entry.value, number) || number < first || number > last)
             failAt(entry, "expected a whole number from " + std::to_string(first) + " to " + std::to_string(last));
         return number;
     }
@@ -149,4 +149,4 @@ namespace ompl_mfa
     {
         failAt(entry.origin, entry.key + " = " + entry.value + ": " + message);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

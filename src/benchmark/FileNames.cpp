@@ -41,7 +41,7 @@
 
 #include "ompl_mfa/benchmark/ConfigLines.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -113,4 +113,4 @@ namespace ompl_mfa
         // What begins with '/' would replace the home folder: '~//a' is '~/a'.
         return std::filesystem::path(home) / rest.substr(std::min(rest.size(), rest.find_first_not_of('/')));
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

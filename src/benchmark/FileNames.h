@@ -42,7 +42,7 @@
 
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief Bytes that a name may take as part of a file's name: with what logs, parts of campaigns and paths add to
         it, the whole stays within the 255 bytes that file systems accept. */
@@ -63,6 +63,6 @@ namespace ompl_mfa
         as in a shell. Throws InputError "\e origin: ..." for a control character, for `~NAME`, for a folder that is
         called `~`, and where HOME is needed and not set. */
     OMPL_MFA_EXPORT std::filesystem::path writtenPath(const std::string &path, const std::string &origin);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

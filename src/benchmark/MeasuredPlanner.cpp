@@ -51,7 +51,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -75,7 +75,7 @@ namespace ompl_mfa
     {
         specs_ = planner_->getSpecs();
         si_->setStateValidityChecker(
-            std::make_shared<CountingValidityChecker>(si_, si_->getStateValidityChecker(), run_.collisionChecks));
+            std::make_shared<path::CountingValidityChecker>(si_, si_->getStateValidityChecker(), run_.collisionChecks));
     }
 
     std::vector<ProgressSample> MeasuredPlanner::progress() const
@@ -216,7 +216,7 @@ namespace ompl_mfa
             if (names_[i] == BEST_COST)
             {
                 double cost = 0.0;
-                if (readNumber(sample.values.back(), cost) && std::isfinite(cost))
+                if (text::readNumber(sample.values.back(), cost) && std::isfinite(cost))
                 {
                     run_.bestCost = cost;
                     run_.firstSolution = std::min(run_.firstSolution.load(), sample.time);
@@ -287,4 +287,4 @@ namespace ompl_mfa
     {
         planner_->getPlannerData(graph);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

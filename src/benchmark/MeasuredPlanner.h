@@ -50,7 +50,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief A planner as a benchmark sees it: measures one solve() of the planner that it holds.
 
@@ -132,6 +132,6 @@ namespace ompl_mfa
         std::uint64_t collisionChecks_{0};
         std::uint64_t motionChecks_{0};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -56,7 +56,7 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 namespace ot = ompl::tools;
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -206,4 +206,4 @@ namespace ompl_mfa
         record.termination = planner->threw() ? RunTermination::Exception : RunTermination::Returned;
         return record;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -44,7 +44,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/Campaign.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief Runs a planner once through OMPL's Benchmark in the calling process and measures the run.
 
@@ -53,6 +53,6 @@ namespace ompl_mfa
     OMPL_MFA_EXPORT RunRecord measureRun(const ProblemAllocator &makeProblem,
                                          const ompl::base::PlannerAllocator &makePlanner, const RunSettings &settings,
                                          std::uint32_t seed, RunState &state);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

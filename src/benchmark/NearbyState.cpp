@@ -44,7 +44,7 @@
 #include "benchmark/ProblemSpace.h"
 #include "text/NumberText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -155,7 +155,7 @@ namespace ompl_mfa
                 {
                     const double reach = digits == ALL_DIGITS ? distance : MARGIN * distance;
                     for (int i = 0; i < 3; ++i)
-                        readNumber(numberText(centre_[i] + reach * direction[i], digits), position[i]);
+                        text::readNumber(text::numberText(centre_[i] + reach * direction[i], digits), position[i]);
                     if (isValid(position) && (position - centre_).norm() <= MARGIN * distance * (1.0 + ROUNDING))
                         break;
                 }
@@ -181,4 +181,4 @@ namespace ompl_mfa
     {
         return OutwardSearch(si, kind, pose).run(farthest);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -44,7 +44,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief A valid pose near one that is not. */
     struct NearbyState
@@ -64,6 +64,6 @@ namespace ompl_mfa
     OMPL_MFA_EXPORT std::optional<NearbyState> findNearbyState(const ompl::base::SpaceInformation &si,
                                                                StateSpaceKind kind, const ConfigPose &pose,
                                                                double farthest);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -40,7 +40,7 @@
 #include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -92,4 +92,4 @@ namespace ompl_mfa
             objective->setCostThreshold(ob::Cost(*problem.objectiveThreshold));
         return objective;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -44,7 +44,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief The integral of 1/(1 + clearance) along the path, clearance in world units: it is finite on contact, at
         most the path's length, and the less the further a path keeps from obstacles. */
@@ -59,6 +59,6 @@ namespace ompl_mfa
     /** \brief The objective that \e problem names, its threshold set; null where it names none. */
     OMPL_MFA_EXPORT ompl::base::OptimizationObjectivePtr makeObjective(const ompl::base::SpaceInformationPtr &si,
                                                                        const ProblemConfig &problem);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -46,7 +46,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     og::PathGeometric resamplePath(const og::PathGeometric &path, double step)
     {
@@ -97,4 +97,4 @@ namespace ompl_mfa
         metrics.smoothness = resampled.smoothness();
         return metrics;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

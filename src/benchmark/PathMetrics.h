@@ -41,7 +41,7 @@
 
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief Measures that only compare between paths whose states lie alike. */
     struct PathMetrics
@@ -60,6 +60,6 @@ namespace ompl_mfa
     /** \brief Measures \e path resampled at the space's longest valid segment length. PathGeometric::clearance() is a
         mean over the vertices and smoothness() depends on how far apart they are: neither compares between planners. */
     OMPL_MFA_EXPORT PathMetrics measurePath(const ompl::geometric::PathGeometric &path);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -54,7 +54,7 @@
 #include "text/NearestName.h"
 #include "text/NumberText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -103,7 +103,7 @@ namespace ompl_mfa
             boost::split(parts, range, boost::is_any_of(":"));
             if (parts.size() < 2)
                 return false;
-            return readNumber(trimmed(parts.front()), first) && readNumber(trimmed(parts.back()), last);
+            return text::readNumber(trimmed(parts.front()), first) && text::readNumber(trimmed(parts.back()), last);
         }
 
         /* OMPL calls its ranges suggestions, and its own sample configs exceed some of them. What no planner of OMPL
@@ -170,7 +170,7 @@ namespace ompl_mfa
             }
             if (names.empty())
                 failAt(entry, "planner '" + spec.type + "' has no parameters");
-            failAt(entry, "unknown parameter of planner '" + spec.type + "'" + suggestion(entry.key, names));
+            failAt(entry, "unknown parameter of planner '" + spec.type + "'" + text::suggestion(entry.key, names));
         }
 
         /* Keeps OMPL's warnings from its console for as long as it lives: they would say again what an error says. */
@@ -255,7 +255,7 @@ namespace ompl_mfa
         if (reason != unavailablePlanners().end())
             failAt(origin, "planner '" + type + "' is not available: " + reason->second);
         if (plannerTable().count(type) == 0)
-            failAt(origin, "unknown planner '" + type + "'" + suggestion(type, plannerNames()));
+            failAt(origin, "unknown planner '" + type + "'" + text::suggestion(type, plannerNames()));
     }
 
     std::string plannerTitle(const std::string &type)
@@ -301,4 +301,4 @@ namespace ompl_mfa
         if (planner.params().hasParam("seed"))
             planner.params().setParam("seed", std::to_string(seed));
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -111,7 +111,7 @@
 #include <ompl/multilevel/planners/qrrt/QRRTStar.h>
 #endif
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -293,4 +293,4 @@ namespace ompl_mfa
                                                                    {"sycloprrt", "it plans with controls"}};
         return REASONS;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -44,7 +44,7 @@
 
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief A planner as the table knows it. */
     struct PlannerEntry
@@ -65,6 +65,6 @@ namespace ompl_mfa
 
     /** \brief Geometric planners of OMPL that a config cannot describe, with the reason. */
     OMPL_MFA_EXPORT const std::map<std::string, std::string> &unavailablePlanners();
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -40,7 +40,7 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/util/Exception.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -88,4 +88,4 @@ namespace ompl_mfa
             *space_->getValueAddressAtIndex(state, i) = position[i];
         return true;
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -44,7 +44,7 @@
 
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief The task space that TSRRT explores: the position in R^n, SE2, SE3 and the car spaces on SE2. */
     class OMPL_MFA_EXPORT PositionTaskSpace : public ompl::geometric::TaskSpaceConfig
@@ -69,6 +69,6 @@ namespace ompl_mfa
         ompl::base::StateSamplerPtr sampler_;
         mutable ompl::RNG rng_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

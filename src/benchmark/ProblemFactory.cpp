@@ -55,7 +55,7 @@
 #include "ompl_mfa/collision/SceneLoader.h"
 #include "text/NumberText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -266,8 +266,8 @@ namespace ompl_mfa
             constexpr int DIGITS = 6;
             std::string text;
             for (std::size_t i = 0; i < bounds.low.size(); ++i)
-                text += (i == 0 ? "[" : " x [") + numberText(bounds.low[i], DIGITS) + ", " +
-                        numberText(bounds.high[i], DIGITS) + "]";
+                text += (i == 0 ? "[" : " x [") + text::numberText(bounds.low[i], DIGITS) + ", " +
+                        text::numberText(bounds.high[i], DIGITS) + "]";
             return text;
         }
 
@@ -282,7 +282,7 @@ namespace ompl_mfa
             for (const double length : bounds.getDifference())
                 squaredSize += length * length;
             const auto nearby = findNearbyState(si, kind, pose, SMALL_PART * std::sqrt(squaredSize));
-            return nearby ? " by " + numberText(nearby->distance, DIGITS) + "; a valid state nearby is " +
+            return nearby ? " by " + text::numberText(nearby->distance, DIGITS) + "; a valid state nearby is " +
                                 describePose(kind, nearby->pose)
                           : "";
         }
@@ -350,4 +350,4 @@ namespace ompl_mfa
             throw InputError("seed = 0: expected a whole number from 1 to 4294967295");
         ompl::RNG::setSeed(seed);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

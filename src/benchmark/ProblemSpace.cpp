@@ -48,7 +48,7 @@
 
 #include "text/NumberText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -143,11 +143,11 @@ namespace ompl_mfa
 
     std::string describePose(StateSpaceKind kind, const ConfigPose &pose)
     {
-        std::string text = "(" + numberText(pose.x) + ", " + numberText(pose.y);
+        std::string text = "(" + text::numberText(pose.x) + ", " + text::numberText(pose.y);
         if (positionDimension(kind) == 3)
-            text += ", " + numberText(pose.z);
+            text += ", " + text::numberText(pose.z);
         if (kind != StateSpaceKind::R2 && kind != StateSpaceKind::R3)
-            text += ", theta " + numberText(pose.theta);
+            text += ", theta " + text::numberText(pose.theta);
         return text + ")";
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

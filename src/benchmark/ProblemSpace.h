@@ -46,7 +46,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief 2 or 3: the dimension of the positions in \e kind. */
     OMPL_MFA_EXPORT unsigned int positionDimension(StateSpaceKind kind);
@@ -64,6 +64,6 @@ namespace ompl_mfa
 
     /** \brief \e pose as messages show it, such as "(1, 2, theta 0.5)". */
     OMPL_MFA_EXPORT std::string describePose(StateSpaceKind kind, const ConfigPose &pose);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

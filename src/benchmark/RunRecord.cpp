@@ -43,7 +43,7 @@
 
 using ompl_mfa::campaign::Json;
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -143,4 +143,4 @@ namespace ompl_mfa
         const std::uint64_t z = mixBits(base + (static_cast<std::uint64_t>(run) + 1) * 0x9e3779b97f4a7c15ULL);
         return static_cast<std::uint32_t>(z % 0x7fffffffULL) + (z % 0x7fffffffULL == 0 ? 1U : 0U);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

@@ -46,7 +46,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief All that is known of one run. */
     struct RunRecord
@@ -91,6 +91,6 @@ namespace ompl_mfa
     /** \brief The name of a property as logs write it. OMPL's BIT* family gives DOUBLE as a type, which makes its best
         cost another property than that of all other planners; it becomes REAL. */
     OMPL_MFA_EXPORT std::string logPropertyName(const std::string &name);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

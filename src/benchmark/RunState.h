@@ -43,7 +43,7 @@
 
 #include "campaign/RunProcess.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     using campaign::monotonicSeconds;
     using campaign::residentMemory;
@@ -60,6 +60,6 @@ namespace ompl_mfa
         /** \brief Calls of the state validity checker so far. */
         std::atomic<std::uint64_t> collisionChecks{0};
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

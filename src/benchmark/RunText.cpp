@@ -40,7 +40,7 @@
 
 #include "ompl_mfa/PlainText.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     namespace
     {
@@ -75,4 +75,4 @@ namespace ompl_mfa
                    ? end
                    : end + ": " + oneLine(record.message.substr(record.message.find_last_of('\n') + 1));
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark

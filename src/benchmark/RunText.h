@@ -42,10 +42,10 @@
 #include "benchmark/RunRecord.h"
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief How a run ended, in words: "exact solution, cost 12.3", "killed at its time limit", "signal 11 (...)". */
     OMPL_MFA_EXPORT std::string describeRun(const RunRecord &record);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -222,7 +222,7 @@ namespace ompl_mfa::campaign
     Json parseJson(const std::string &line)
     {
         // The JSON library hands numbers to strtod().
-        const CLocaleScope plainNumbers;
+        const text::CLocaleScope plainNumbers;
         return Json::parse(line);
     }
 }  // namespace ompl_mfa::campaign

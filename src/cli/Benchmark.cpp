@@ -70,7 +70,7 @@ namespace
         std::string config;
         std::string output;
         std::string shard;
-        ompl_mfa::CampaignOptions campaign;
+        ompl_mfa::benchmark::CampaignOptions campaign;
         bool quiet{false};
         bool json{false};
     };
@@ -88,20 +88,21 @@ namespace
         std::vector<double> simplifiedCosts;
     };
 
-    std::string propertyOf(const ompl_mfa::LogProperties &run, const std::string &property)
+    std::string propertyOf(const ompl_mfa::benchmark::LogProperties &run, const std::string &property)
     {
         const auto found = run.find(property);
         return found == run.end() ? "" : found->second;
     }
 
-    void addFinite(std::vector<double> &values, const ompl_mfa::LogProperties &run, const std::string &property)
+    void addFinite(std::vector<double> &values, const ompl_mfa::benchmark::LogProperties &run,
+                   const std::string &property)
     {
         double value = 0.0;
-        if (ompl_mfa::readNumber(propertyOf(run, property), value) && std::isfinite(value))
+        if (ompl_mfa::text::readNumber(propertyOf(run, property), value) && std::isfinite(value))
             values.push_back(value);
     }
 
-    std::vector<PlannerSummary> summarize(const ompl_mfa::BenchmarkLog &log)
+    std::vector<PlannerSummary> summarize(const ompl_mfa::benchmark::BenchmarkLog &log)
     {
         std::vector<PlannerSummary> summaries;
         for (const auto &planner : log.planners)
@@ -140,7 +141,7 @@ namespace
 
     std::string cell(double value)
     {
-        return std::isfinite(value) ? ompl_mfa::numberText(value, 4) : "-";
+        return std::isfinite(value) ? ompl_mfa::text::numberText(value, 4) : "-";
     }
 
     void printTable(const std::vector<PlannerSummary> &summaries)
@@ -171,35 +172,36 @@ namespace
         ompl_mfa::cli::printDocument(document);
     }
 
-    void readShard(const std::string &text, ompl_mfa::CampaignOptions &options)
+    void readShard(const std::string &text, ompl_mfa::benchmark::CampaignOptions &options)
     {
         if (text.empty())
             return;
         const std::size_t slash = text.find('/');
-        if (slash == std::string::npos || !ompl_mfa::readNumber(text.substr(0, slash), options.shard) ||
-            !ompl_mfa::readNumber(text.substr(slash + 1), options.shards) || options.shard < 1 ||
+        if (slash == std::string::npos || !ompl_mfa::text::readNumber(text.substr(0, slash), options.shard) ||
+            !ompl_mfa::text::readNumber(text.substr(slash + 1), options.shards) || options.shard < 1 ||
             options.shard > options.shards)
         {
             throw ompl_mfa::InputError("--shard " + text + ": accepted is I/N with 1 <= I <= N, such as 2/8");
         }
     }
 
-    void benchmark(Options options, bool graceGiven)
+    void runBenchmark(Options options, bool graceGiven)
     {
         readShard(options.shard, options.campaign);
         if (graceGiven && !(options.campaign.grace >= 0.0 && options.campaign.grace <= LONGEST_GRACE))
-            throw ompl_mfa::InputError("--grace " + ompl_mfa::numberText(options.campaign.grace) + ": expected " +
+            throw ompl_mfa::InputError("--grace " + ompl_mfa::text::numberText(options.campaign.grace) + ": expected " +
                                        ACCEPTED_GRACE);
-        const ompl_mfa::BenchmarkConfig config = ompl_mfa::readBenchmarkConfig(options.config);
-        const ompl_mfa::Campaign campaign = ompl_mfa::makeCampaign(config);
+        const ompl_mfa::benchmark::BenchmarkConfig config = ompl_mfa::benchmark::readBenchmarkConfig(options.config);
+        const ompl_mfa::benchmark::Campaign campaign = ompl_mfa::benchmark::makeCampaign(config);
         campaign.validate();
-        options.campaign.log = options.output.empty()
-                                   ? ompl_mfa::logFile(config, options.campaign.shard, options.campaign.shards)
-                                   : ompl_mfa::writtenPath(options.output, "--output " + options.output);
+        options.campaign.log =
+            options.output.empty()
+                ? ompl_mfa::benchmark::logFile(config, options.campaign.shard, options.campaign.shards)
+                : ompl_mfa::benchmark::writtenPath(options.output, "--output " + options.output);
         options.campaign.progress = options.quiet ? nullptr : &std::cerr;
         options.campaign.terminal = isatty(STDERR_FILENO) != 0;
 
-        const ompl_mfa::CampaignResult result = campaign.run(options.campaign);
+        const ompl_mfa::benchmark::CampaignResult result = campaign.run(options.campaign);
         const auto summaries = summarize(result.log);
         if (options.json)
             printJson(options.campaign.log.string(), summaries);
@@ -234,5 +236,5 @@ void ompl_mfa::cli::addBenchmarkCommand(CLI::App &app)
         ->excludes(resume);
     command->add_flag("--quiet", options->quiet, "Show no progress");
     command->add_flag("--json", options->json, "Print one JSON document");
-    command->callback([options, grace] { benchmark(*options, grace->count() > 0); });
+    command->callback([options, grace] { runBenchmark(*options, grace->count() > 0); });
 }

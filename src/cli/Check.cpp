@@ -61,8 +61,8 @@
 namespace
 {
     namespace ob = ompl::base;
-    using ompl_mfa::BenchmarkConfig;
-    using ompl_mfa::ProblemFactory;
+    using ompl_mfa::benchmark::BenchmarkConfig;
+    using ompl_mfa::benchmark::ProblemFactory;
 
     /* Significant digits of what is printed. */
     constexpr int DIGITS = 6;
@@ -158,16 +158,16 @@ namespace
     /** \brief A robot in the plane moves at z = 0; a world that stands elsewhere is no obstacle to it. */
     std::vector<std::string> warnings(const ProblemFactory &factory)
     {
-        const ompl_mfa::ProblemConfig &problem = factory.config().problem;
+        const ompl_mfa::benchmark::ProblemConfig &problem = factory.config().problem;
         const auto &objects = factory.world().objects();
         const fcl::AABBd robot = factory.robot().bounds();
         const bool isReached =
             std::any_of(objects.begin(), objects.end(),
                         [&robot](const ompl_mfa::collision::CollisionObject &object)
                         { return ompl_mfa::collision::reachesHeights(object, robot.min_[2], robot.max_[2]); });
-        if (ompl_mfa::positionDimension(problem.space) == 3 || objects.empty() || isReached)
+        if (ompl_mfa::benchmark::positionDimension(problem.space) == 3 || objects.empty() || isReached)
             return {};
-        const auto number = [](double value) { return ompl_mfa::numberText(value, DIGITS); };
+        const auto number = [](double value) { return ompl_mfa::text::numberText(value, DIGITS); };
         const fcl::AABBd world = factory.world().bounds();
         return {problem.world->origin + ": problem.world = " + problem.world->value + ": nothing of it reaches the " +
                 "heights of the planar robot, z = " + number(robot.min_[2]) + " to " + number(robot.max_[2]) +
@@ -184,7 +184,7 @@ namespace
             planners.push_back({{"type", spec.type}, {"name", spec.name}});
         return {
             {"problem", config.problem.name},
-            {"space", ompl_mfa::spaceName(config.problem.space)},
+            {"space", ompl_mfa::benchmark::spaceName(config.problem.space)},
             {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
             {"obstacles", factory.world().objects().size()},
             {"robot", config.problem.robot.value},
@@ -206,7 +206,8 @@ namespace
     {
         const auto corner = [](const nlohmann::json &point)
         {
-            const auto number = [&point](int axis) { return ompl_mfa::numberText(point[axis].get<double>(), DIGITS); };
+            const auto number = [&point](int axis)
+            { return ompl_mfa::text::numberText(point[axis].get<double>(), DIGITS); };
             return "(" + number(0) + ", " + number(1) + ", " + number(2) + ")";
         };
         return box.is_null() ? "none" : corner(box["min"]) + " to " + corner(box["max"]);
@@ -220,7 +221,7 @@ namespace
     void printText(const nlohmann::json &description)
     {
         const auto &motion = description["straight_motion"];
-        const ompl_mfa::PlainNumbers plainNumbers(std::cout);
+        const ompl_mfa::text::PlainNumbers plainNumbers(std::cout);
         std::cout << std::setprecision(DIGITS);
         std::cout << "problem    " << description["problem"].get<std::string>() << "\n"
                   << "space      " << description["space"].get<std::string>() << "\n"
@@ -251,8 +252,8 @@ namespace
 
     void check(const Options &options)
     {
-        const ProblemFactory factory(ompl_mfa::readBenchmarkConfig(options.file));
-        ompl_mfa::setRandomSeed(factory.config().benchmark.seed);
+        const ProblemFactory factory(ompl_mfa::benchmark::readBenchmarkConfig(options.file));
+        ompl_mfa::benchmark::setRandomSeed(factory.config().benchmark.seed);
         const auto setup = factory.create();
         checkPlanners(factory);
         const nlohmann::json description = describe(factory, *setup);

@@ -228,7 +228,7 @@ std::vector<ompl_mfa::cli::Axes::Tick> ompl_mfa::cli::Axes::placeTicks(double lo
         std::vector<Tick> candidates;
         const double last = std::floor(upper / step + 1e-9);
         for (double k = std::ceil(lower / step - 1e-9); k <= last; k += 1.0)
-            candidates.push_back({k * step, numberText(k * step + 0.0, digits)});
+            candidates.push_back({k * step, ompl_mfa::text::numberText(k * step + 0.0, digits)});
         if (candidates.empty())
             break;
         ticks = std::move(candidates);

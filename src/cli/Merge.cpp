@@ -59,7 +59,7 @@ namespace
         bool json{false};
     };
 
-    void printJson(const Options &options, const ompl_mfa::BenchmarkLog &merged)
+    void printJson(const Options &options, const ompl_mfa::benchmark::BenchmarkLog &merged)
     {
         nlohmann::json document{
             {"log", options.output}, {"parts", options.parts.size()}, {"planners", nlohmann::json::array()}};
@@ -73,9 +73,9 @@ namespace
 
     void merge(Options options)
     {
-        options.output = ompl_mfa::writtenPath(options.output, "--output " + options.output).string();
-        const ompl_mfa::BenchmarkLog merged =
-            ompl_mfa::mergeCampaign(options.parts, options.output, options.allowMissing);
+        options.output = ompl_mfa::benchmark::writtenPath(options.output, "--output " + options.output).string();
+        const ompl_mfa::benchmark::BenchmarkLog merged =
+            ompl_mfa::benchmark::mergeCampaign(options.parts, options.output, options.allowMissing);
         if (options.json)
         {
             printJson(options, merged);
@@ -84,7 +84,7 @@ namespace
         std::size_t runs = 0;
         for (const auto &planner : merged.planners)
             runs += planner.runs.size();
-        const ompl_mfa::PlainNumbers plainNumbers(std::cout);
+        const ompl_mfa::text::PlainNumbers plainNumbers(std::cout);
         std::cout << options.output << ": " << runs << " runs of " << merged.planners.size() << " planners from "
                   << options.parts.size() << " parts" << std::endl;
     }

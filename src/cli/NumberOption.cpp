@@ -44,7 +44,7 @@ CLI::Option *ompl_mfa::cli::addNumberOption(CLI::App &command, const std::string
 {
     const auto read = [&value, name, accepted](const std::string &text)
     {
-        if (!readNumber(text, value))
+        if (!ompl_mfa::text::readNumber(text, value))
             throw InputError(name + " " + text + ": expected " + accepted);
     };
     return command.add_option_function<std::string>(name, read, description)->type_name("NUMBER");

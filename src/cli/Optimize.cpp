@@ -200,7 +200,7 @@ namespace
         {
             const Run &run = result.runs[(result.runs.size() - 1) / 2];
             const std::string title = std::string(result.algorithm == "fa" ? "FA" : "MFA") + " on " + function.name() +
-                                      ": " + ompl_mfa::fixedText(100.0 * run.shareNearOptimum, 0) +
+                                      ": " + ompl_mfa::text::fixedText(100.0 * run.shareNearOptimum, 0) +
                                       " % of the fireflies near the optimum";
             Axes axes(title, "x", "y", function.lower(), function.upper());
             Axes::Points fireflies;
@@ -245,8 +245,9 @@ namespace
             const double best = median(result.runs, [](const Run &run) { return run.best; });
             const double share = 100.0 * median(result.runs, [](const Run &run) { return run.shareNearOptimum; });
             const double evaluations = median(result.runs, [](const Run &run) { return run.evaluations; });
-            std::printf("%-10s %14s %21s%% %12s\n", result.algorithm.c_str(), ompl_mfa::numberText(best, 6).c_str(),
-                        ompl_mfa::fixedText(share, 1).c_str(), ompl_mfa::fixedText(evaluations, 0).c_str());
+            std::printf("%-10s %14s %21s%% %12s\n", result.algorithm.c_str(),
+                        ompl_mfa::text::numberText(best, 6).c_str(), ompl_mfa::text::fixedText(share, 1).c_str(),
+                        ompl_mfa::text::fixedText(evaluations, 0).c_str());
         }
         std::fflush(stdout);
     }
@@ -254,7 +255,7 @@ namespace
     void optimize(const Options &options)
     {
         for (const auto &algorithm : options.algorithms)
-            ompl_mfa::requireKnown("algorithm", algorithm, {"fa", "mfa"});
+            ompl_mfa::text::requireKnown("algorithm", algorithm, {"fa", "mfa"});
         TestFunction function(options.function, options.dimension);
         if (!options.picture.empty() && options.dimension != 2)
         {
@@ -267,7 +268,8 @@ namespace
         for (const auto &algorithm : options.algorithms)
             results.push_back(runAlgorithm(function, options, algorithm));
         if (!options.picture.empty())
-            draw(function, results, ompl_mfa::writtenPath(options.picture, "--picture " + options.picture).string());
+            draw(function, results,
+                 ompl_mfa::benchmark::writtenPath(options.picture, "--picture " + options.picture).string());
         if (options.json)
             printJson(options, results);
         else
@@ -303,11 +305,11 @@ void ompl_mfa::cli::addOptimizeCommand(CLI::App &app)
         ->capture_default_str();
     auto &settings = options->settings;
     addNumberOption(*command, "--gamma", settings.gamma, "Light absorption per squared range")
-        ->default_str(numberText(settings.gamma));
+        ->default_str(ompl_mfa::text::numberText(settings.gamma));
     addNumberOption(*command, "--alpha", settings.alpha, "Random step in parts of the range")
-        ->default_str(numberText(settings.alpha));
+        ->default_str(ompl_mfa::text::numberText(settings.alpha));
     addNumberOption(*command, "--eta", settings.eta, "Attraction at distance 0, the paper's beta0")
-        ->default_str(numberText(settings.eta));
+        ->default_str(ompl_mfa::text::numberText(settings.eta));
     command->add_option("--picture", options->picture, "Write the final populations to this .svg, .png or .pdf file");
     command->add_flag("--json", options->json, "Print one JSON document");
     command->callback([options] { optimize(*options); });

@@ -71,9 +71,9 @@ namespace
 {
     namespace ob = ompl::base;
     namespace og = ompl::geometric;
-    using ompl_mfa::BenchmarkConfig;
-    using ompl_mfa::PlannerSpec;
-    using ompl_mfa::ProblemFactory;
+    using ompl_mfa::benchmark::BenchmarkConfig;
+    using ompl_mfa::benchmark::PlannerSpec;
+    using ompl_mfa::benchmark::ProblemFactory;
     using ompl_mfa::cli::finiteOrNull;
 
     const char *const ACCEPTED_TIME = "a number above 0 and at most 1e9 (seconds)";
@@ -121,8 +121,8 @@ namespace
         for (const auto &spec : config.planners)
             if (spec.type == type)
                 return spec;
-        ompl_mfa::requireKnownPlanner(type, "--planner");
-        return {type, ompl_mfa::plannerTitle(type), "--planner", {}, {}};
+        ompl_mfa::benchmark::requireKnownPlanner(type, "--planner");
+        return {type, ompl_mfa::benchmark::plannerTitle(type), "--planner", {}, {}};
     }
 
     void overrideParameter(PlannerSpec &spec, const std::string &text)
@@ -130,8 +130,8 @@ namespace
         const auto equals = text.find('=');
         if (equals == std::string::npos)
             throw ompl_mfa::InputError("--parameter " + text + ": expected NAME=VALUE");
-        const ompl_mfa::ConfigEntry entry{ompl_mfa::trimmed(text.substr(0, equals)),
-                                          ompl_mfa::trimmed(text.substr(equals + 1)), "--parameter"};
+        const ompl_mfa::benchmark::ConfigEntry entry{ompl_mfa::trimmed(text.substr(0, equals)),
+                                                     ompl_mfa::trimmed(text.substr(equals + 1)), "--parameter"};
         for (auto &parameter : spec.parameters)
         {
             if (ompl_mfa::lowerCase(parameter.key) == ompl_mfa::lowerCase(entry.key))
@@ -172,12 +172,12 @@ namespace
           , setup_(factory.create(spec.context))
         {
             const auto &si = setup_->getSpaceInformation();
-            planner_ = ompl_mfa::createPlanner(si, spec);
+            planner_ = ompl_mfa::benchmark::createPlanner(si, spec);
             if (!hasParameter(spec, "seed"))
-                ompl_mfa::seedPlanner(*planner_, options.seed);
-            measured_ = std::make_shared<ompl_mfa::MeasuredPlanner>(
+                ompl_mfa::benchmark::seedPlanner(*planner_, options.seed);
+            measured_ = std::make_shared<ompl_mfa::benchmark::MeasuredPlanner>(
                 planner_, state_,
-                ompl_mfa::MeasuredPlanner::Settings{options.time, ONLY_AT_FIRST, options.iterations, {}});
+                ompl_mfa::benchmark::MeasuredPlanner::Settings{options.time, ONLY_AT_FIRST, options.iterations, {}});
             setup_->setPlanner(measured_);
         }
 
@@ -210,7 +210,7 @@ namespace
 
     private:
         /* Of the progress only the time of the first solution is wanted, and that is watched for anyway. */
-        static constexpr double ONLY_AT_FIRST = ompl_mfa::LONGEST_TIME_LIMIT;
+        static constexpr double ONLY_AT_FIRST = ompl_mfa::benchmark::LONGEST_TIME_LIMIT;
 
         void measurePath(Result &result)
         {
@@ -229,10 +229,10 @@ namespace
         }
 
         const Options &options_;
-        ompl_mfa::RunState state_;
+        ompl_mfa::benchmark::RunState state_;
         og::SimpleSetupPtr setup_;
         ob::PlannerPtr planner_;
-        std::shared_ptr<ompl_mfa::MeasuredPlanner> measured_;
+        std::shared_ptr<ompl_mfa::benchmark::MeasuredPlanner> measured_;
     };
 
     /** \brief Before the planner runs: its result is not to be lost for want of a folder. */
@@ -272,7 +272,8 @@ namespace
         if (run.setup().haveSolutionPath())
         {
             content.best.push_back(run.setup().getSolutionPath());
-            content.title += ", cost " + ompl_mfa::numberText(result.cost, 5) + (result.exact ? "" : " (approximate)");
+            content.title +=
+                ", cost " + ompl_mfa::text::numberText(result.cost, 5) + (result.exact ? "" : " (approximate)");
         }
         ompl_mfa::cli::drawProblem(factory, run.setup(), content, options.picture);
     }
@@ -307,8 +308,8 @@ namespace
     void printText(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options, const Result &result)
     {
         const auto orNone = [](double value, const std::string &unit)
-        { return std::isfinite(value) ? ompl_mfa::numberText(value, 7) + unit : std::string("none"); };
-        const ompl_mfa::PlainNumbers plainNumbers(std::cout);
+        { return std::isfinite(value) ? ompl_mfa::text::numberText(value, 7) + unit : std::string("none"); };
+        const ompl_mfa::text::PlainNumbers plainNumbers(std::cout);
         std::cout << "problem                  " << factory.config().problem.name << "\n"
                   << "planner                  " << spec.name << ", seed " << options.seed << "\n"
                   << "status                   " << result.status << "\n"
@@ -325,16 +326,17 @@ namespace
 
     void plan(Options options, bool timeGiven, bool seedGiven)
     {
-        const ProblemFactory factory(ompl_mfa::readBenchmarkConfig(options.file));
-        const ompl_mfa::CampaignConfig &benchmark = factory.config().benchmark;
+        const ProblemFactory factory(ompl_mfa::benchmark::readBenchmarkConfig(options.file));
+        const ompl_mfa::benchmark::CampaignConfig &benchmark = factory.config().benchmark;
         if (!seedGiven)
             options.seed = static_cast<std::uint32_t>(benchmark.seed);
         if (!timeGiven)
             options.time = benchmark.timeLimit;
-        if (!(options.time > 0.0 && options.time <= ompl_mfa::LONGEST_TIME_LIMIT))
-            throw ompl_mfa::InputError("--time " + ompl_mfa::numberText(options.time) + ": expected " + ACCEPTED_TIME);
-        options.picture = ompl_mfa::writtenPath(options.picture, "--picture " + options.picture).string();
-        options.path = ompl_mfa::writtenPath(options.path, "--path " + options.path).string();
+        if (!(options.time > 0.0 && options.time <= ompl_mfa::benchmark::LONGEST_TIME_LIMIT))
+            throw ompl_mfa::InputError("--time " + ompl_mfa::text::numberText(options.time) + ": expected " +
+                                       ACCEPTED_TIME);
+        options.picture = ompl_mfa::benchmark::writtenPath(options.picture, "--picture " + options.picture).string();
+        options.path = ompl_mfa::benchmark::writtenPath(options.path, "--path " + options.path).string();
         if (!options.picture.empty())
             ompl_mfa::cli::pictureFormat(options.picture);
         requireWritable("--picture", options.picture);
@@ -343,7 +345,7 @@ namespace
         for (const auto &parameter : options.parameters)
             overrideParameter(spec, parameter);
 
-        ompl_mfa::setRandomSeed(options.seed);
+        ompl_mfa::benchmark::setRandomSeed(options.seed);
         PlanRun run(factory, spec, options);
         const Result result = run.solve();
         if (!options.path.empty() && run.setup().haveSolutionPath())

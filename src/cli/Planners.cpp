@@ -62,14 +62,15 @@ namespace
         for (const auto &name : names)
         {
             nlohmann::json parameters = nlohmann::json::array();
-            for (const auto &parameter : ompl_mfa::plannerParameters(name))
+            for (const auto &parameter : ompl_mfa::benchmark::plannerParameters(name))
             {
                 parameters.push_back({{"name", parameter.name},
                                       {"type", parameter.type},
                                       {"range", parameter.range},
                                       {"default", parameter.defaultValue}});
             }
-            planners.push_back({{"name", name}, {"title", ompl_mfa::plannerTitle(name)}, {"parameters", parameters}});
+            planners.push_back(
+                {{"name", name}, {"title", ompl_mfa::benchmark::plannerTitle(name)}, {"parameters", parameters}});
         }
         ompl_mfa::cli::printDocument({{"planners", planners}});
     }
@@ -78,8 +79,8 @@ namespace
     {
         for (const auto &name : names)
         {
-            std::cout << name << " (" << ompl_mfa::plannerTitle(name) << ")\n";
-            for (const auto &parameter : ompl_mfa::plannerParameters(name))
+            std::cout << name << " (" << ompl_mfa::benchmark::plannerTitle(name) << ")\n";
+            for (const auto &parameter : ompl_mfa::benchmark::plannerParameters(name))
                 std::cout << "    " << std::left << std::setw(36) << parameter.name << std::setw(10) << parameter.type
                           << std::setw(18) << parameter.defaultValue << parameter.range << "\n";
         }
@@ -88,10 +89,10 @@ namespace
     void listPlanners(const Options &options)
     {
         for (const auto &name : options.names)
-            ompl_mfa::requireKnownPlanner(name, "planners");
+            ompl_mfa::benchmark::requireKnownPlanner(name, "planners");
         // BIT* warns about some of its parameters whenever they are read
         ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-        const auto names = options.names.empty() ? ompl_mfa::plannerNames() : options.names;
+        const auto names = options.names.empty() ? ompl_mfa::benchmark::plannerNames() : options.names;
         if (options.json)
             printJson(names);
         else

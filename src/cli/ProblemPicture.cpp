@@ -78,7 +78,7 @@ namespace ompl_mfa::cli
             bool seenThrough;
         };
 
-        View planarView(const ProblemFactory &problem)
+        View planarView(const benchmark::ProblemFactory &problem)
         {
             const fcl::AABBd box = problem.robot().bounds();
             return {fcl::Transform3d::Identity(), box.min_[2], box.max_[2], 0, 1, false};
@@ -97,7 +97,7 @@ namespace ompl_mfa::cli
         class ViewPainter
         {
         public:
-            ViewPainter(const ProblemFactory &problem, const og::SimpleSetup &setup, const View &view,
+            ViewPainter(const benchmark::ProblemFactory &problem, const og::SimpleSetup &setup, const View &view,
                         const std::string &title)
               : problem_(problem)
               , setup_(setup)
@@ -228,7 +228,7 @@ namespace ompl_mfa::cli
                 axes_.addPolyline(positions(path), BEST, "best path");
             }
 
-            const ProblemFactory &problem_;
+            const benchmark::ProblemFactory &problem_;
             const og::SimpleSetup &setup_;
             collision::StatePlacement placement_;
             View view_;
@@ -236,11 +236,11 @@ namespace ompl_mfa::cli
         };
     }  // namespace
 
-    void drawProblem(const ProblemFactory &problem, const og::SimpleSetup &setup, const PictureContent &content,
-                     const std::string &file)
+    void drawProblem(const benchmark::ProblemFactory &problem, const og::SimpleSetup &setup,
+                     const PictureContent &content, const std::string &file)
     {
         Figure figure;
-        if (positionDimension(problem.config().problem.space) == 2)
+        if (benchmark::positionDimension(problem.config().problem.space) == 2)
             figure.addAxes(ViewPainter(problem, setup, planarView(problem), content.title).paint(content));
         else
         {

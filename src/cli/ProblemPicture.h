@@ -64,7 +64,7 @@ namespace ompl_mfa::cli
         A planar problem is seen from above, with the part of the world at the robot's height; a spatial one from above
         and from the side, with all of the world. The
         extension of \e file is its format. Throws InputError if it cannot be written, or as pictureFormat(). */
-    void drawProblem(const ProblemFactory &problem, const ompl::geometric::SimpleSetup &setup,
+    void drawProblem(const benchmark::ProblemFactory &problem, const ompl::geometric::SimpleSetup &setup,
                      const PictureContent &content, const std::string &file);
 }  // namespace ompl_mfa::cli
 

@@ -98,10 +98,10 @@ namespace
         if (extra.front() == '-')
         {
             const std::string name = extra.substr(0, extra.find('='));
-            return ompl_mfa::describeUnknown("option", name, optionNames(innermost));
+            return ompl_mfa::text::describeUnknown("option", name, optionNames(innermost));
         }
         if (parsed.empty())
-            return ompl_mfa::describeUnknown("command", extra, commandNames(app));
+            return ompl_mfa::text::describeUnknown("command", extra, commandNames(app));
         return "unexpected argument '" + extra + "' of '" + innermost.get_name() + "'";
     }
 

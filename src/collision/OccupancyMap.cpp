@@ -176,8 +176,8 @@ namespace ompl_mfa::collision
                 std::string value;
                 words >> value;
                 const bool read = key == "id"     ? !(header.id = value).empty()
-                                  : key == "size" ? readNumber(value, header.nodes)
-                                  : key == "res"  ? readNumber(value, header.resolution)
+                                  : key == "size" ? text::readNumber(value, header.nodes)
+                                  : key == "res"  ? text::readNumber(value, header.resolution)
                                                   : key.empty() || key[0] == '#';
                 if (!read)
                 {

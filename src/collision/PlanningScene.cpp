@@ -159,7 +159,7 @@ namespace ompl_mfa::collision
                     {
                         yaml_.fail(value, key + ": " + property + " of the link '" + yaml_.text(link, "link_name") +
                                               "' = " + value.Scalar() + ", and links are not read; accepted is " +
-                                              numberText(neutral));
+                                              text::numberText(neutral));
                     }
                 }
             }
@@ -280,7 +280,7 @@ namespace ompl_mfa::collision
                 for (const YAML::Node &node : list)
                 {
                     int value = 0;
-                    if (!node.IsScalar() || !readNumber(node.Scalar(), value) || value < -128 || value > 255)
+                    if (!node.IsScalar() || !text::readNumber(node.Scalar(), value) || value < -128 || value > 255)
                     {
                         const std::string text = node.IsScalar() ? node.Scalar() : "";
                         yaml_.fail(node, "octomap.data = " + text + ": must be whole numbers from -128 to 127" +

@@ -184,7 +184,7 @@ namespace ompl_mfa::collision
                 Element element;
                 std::string count;
                 words >> element.name >> count;
-                readNumber(count, element.count);
+                text::readNumber(count, element.count);
                 elements_.push_back(element);
             }
 

@@ -103,8 +103,8 @@ namespace ompl_mfa::collision
                 std::isfinite(dimensions[i]) && (dimensions[i] > 0. || (kind.mayVanish && dimensions[i] == 0.));
             if (!accepted)
             {
-                message << kind.name << ' ' << kind.dimensions[i] << " = " << numberText(dimensions[i]) << ": must be "
-                        << (kind.mayVanish ? "at least 0" : "greater than 0") << " and finite";
+                message << kind.name << ' ' << kind.dimensions[i] << " = " << text::numberText(dimensions[i])
+                        << ": must be " << (kind.mayVanish ? "at least 0" : "greater than 0") << " and finite";
                 throw std::invalid_argument(message.str());
             }
         }

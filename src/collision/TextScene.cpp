@@ -136,7 +136,7 @@ namespace ompl_mfa::collision
                 const std::string text = word();
                 double value = 0.;
                 // A number that is not finite compares with nothing.
-                if (!readNumber(text, value) || !(std::abs(value) <= LARGEST_COORDINATE))
+                if (!text::readNumber(text, value) || !(std::abs(value) <= LARGEST_COORDINATE))
                 {
                     fail(what + " = " + text + ": must be a finite number of at most 1e30");
                 }
@@ -147,7 +147,7 @@ namespace ompl_mfa::collision
             {
                 const std::string text = word();
                 std::size_t value = 0;
-                if (!readNumber(text, value))
+                if (!text::readNumber(text, value))
                 {
                     fail(what + " = " + text + ": must be a whole number");
                 }

@@ -177,7 +177,7 @@ namespace ompl_mfa::collision
         const aiScene &readScene(Assimp::Importer &importer, const std::string &file)
         {
             // Some of assimp's readers (AMF, X3D, 3MF) convert numbers with strtod().
-            const CLocaleScope plainNumbers;
+            const text::CLocaleScope plainNumbers;
             // Otherwise a file without geometry becomes a mesh of invented bones.
             importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
             const aiScene *scene = importer.ReadFile(file, 0);

@@ -182,7 +182,7 @@ namespace ompl_mfa::collision
     double YamlFile::number(const YAML::Node &node, const std::string &key) const
     {
         double value = 0.;
-        if (!node.IsScalar() || !readNumber(node.Scalar(), value) || !std::isfinite(value))
+        if (!node.IsScalar() || !text::readNumber(node.Scalar(), value) || !std::isfinite(value))
         {
             fail(node, key + (node.IsScalar() ? " = " + node.Scalar() : "") + ": must be a finite number");
         }

@@ -54,18 +54,18 @@ namespace
     [[noreturn]] void refuse(const char *setting, double value, const std::string &accepted)
     {
         throw std::invalid_argument(std::string("FireflyOptimizer: ") + setting + " = " +
-                                    ompl_mfa::numberText(value, 6) + " is not accepted; it must be " + accepted);
+                                    ompl_mfa::text::numberText(value, 6) + " is not accepted; it must be " + accepted);
     }
 
     void requireInterval(const char *setting, double value, double lower, double upper)
     {
         if (value >= lower && value <= upper)
             return;
-        const std::string least = ompl_mfa::numberText(lower, 6);
+        const std::string least = ompl_mfa::text::numberText(lower, 6);
         refuse(setting, value,
                upper == std::numeric_limits<double>::max()
                    ? "finite and at least " + least
-                   : "in [" + least + ", " + ompl_mfa::numberText(upper, 6) + "]");
+                   : "in [" + least + ", " + ompl_mfa::text::numberText(upper, 6) + "]");
     }
 
     void validateBox(const Eigen::VectorXd &lower, const Eigen::VectorXd &upper)

@@ -124,7 +124,7 @@ ompl_mfa::TestFunction::TestFunction(const std::string &name, unsigned int dimen
   , dimension_(dimension)
   , shift_(shift)
 {
-    requireKnown("function", name, names());
+    ompl_mfa::text::requireKnown("function", name, names());
     const unsigned int smallest = name == "rosenbrock" ? 2 : 1;
     if (dimension < smallest)
     {

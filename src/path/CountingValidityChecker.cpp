@@ -40,7 +40,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     CountingValidityChecker::CountingValidityChecker(const ob::SpaceInformationPtr &si,
                                                      ob::StateValidityCheckerPtr checker)
@@ -97,4 +97,4 @@ namespace ompl_mfa
     {
         count_.fetch_add(1, std::memory_order_relaxed);
     }
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path

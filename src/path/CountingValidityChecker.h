@@ -45,7 +45,7 @@
 
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::path
 {
     /** \brief Counts the states that another validity checker is asked to check, and passes everything on to it.
         Thread-safe where that one is. */
@@ -79,6 +79,6 @@ namespace ompl_mfa
         std::atomic<std::uint64_t> own_{0};
         std::atomic<std::uint64_t> &count_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::path
 
 #endif

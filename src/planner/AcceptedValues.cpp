@@ -72,7 +72,7 @@ namespace ompl_mfa::planner
     template <typename T>
     bool AcceptedValues<T>::read(const std::string &text, T &value)
     {
-        return readNumber(text, value);
+        return text::readNumber(text, value);
     }
 
     template <typename T>

@@ -39,7 +39,7 @@
 
 #include <locale.h>
 
-namespace ompl_mfa
+namespace ompl_mfa::text
 {
     /** \brief For as long as it lives, the C library of this thread works in the locale "C".
 
@@ -69,6 +69,6 @@ namespace ompl_mfa
 
         locale_t before_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::text
 
 #endif

@@ -63,7 +63,7 @@ namespace
     }
 }  // namespace
 
-std::string ompl_mfa::nearestName(const std::string &name, const std::vector<std::string> &known)
+std::string ompl_mfa::text::nearestName(const std::string &name, const std::vector<std::string> &known)
 {
     std::string nearest;
     for (const auto &candidate : known)
@@ -88,7 +88,7 @@ std::string ompl_mfa::nearestName(const std::string &name, const std::vector<std
     return nearest;
 }
 
-std::string ompl_mfa::suggestion(const std::string &name, const std::vector<std::string> &known)
+std::string ompl_mfa::text::suggestion(const std::string &name, const std::vector<std::string> &known)
 {
     constexpr std::size_t FEW = 10;
     const std::string nearest = nearestName(name, known);
@@ -101,13 +101,14 @@ std::string ompl_mfa::suggestion(const std::string &name, const std::vector<std:
     return text;
 }
 
-std::string ompl_mfa::describeUnknown(const std::string &kind, const std::string &name,
-                                      const std::vector<std::string> &accepted)
+std::string ompl_mfa::text::describeUnknown(const std::string &kind, const std::string &name,
+                                            const std::vector<std::string> &accepted)
 {
     return "unknown " + kind + " '" + name + "'" + suggestion(name, accepted);
 }
 
-void ompl_mfa::requireKnown(const std::string &kind, const std::string &name, const std::vector<std::string> &accepted)
+void ompl_mfa::text::requireKnown(const std::string &kind, const std::string &name,
+                                  const std::vector<std::string> &accepted)
 {
     if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
         throw InputError(describeUnknown(kind, name, accepted));

@@ -42,7 +42,7 @@
 
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::text
 {
     /** \brief The shortest entry of \e known that begins with \e name, or else the one with the least edit distance;
         empty where none is near: within a third of the length of \e name, and at least within one edit. */
@@ -59,6 +59,6 @@ namespace ompl_mfa
     /** \brief Throws InputError with describeUnknown() unless \e name is one of \e accepted. */
     OMPL_MFA_EXPORT void requireKnown(const std::string &kind, const std::string &name,
                                       const std::vector<std::string> &accepted);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::text
 
 #endif

@@ -45,7 +45,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace ompl_mfa
+namespace ompl_mfa::text
 {
     /** \brief Reads \e text, all of it, as a decimal number with a point, whatever the locale of the program is.
 
@@ -113,6 +113,6 @@ namespace ompl_mfa
         std::ios &stream_;
         std::locale before_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::text
 
 #endif

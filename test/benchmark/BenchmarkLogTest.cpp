@@ -43,8 +43,8 @@
 
 #include "benchmark/InputErrorOf.h"
 
-using ompl_mfa::BenchmarkLog;
-using ompl_mfa::PlannerLog;
+using ompl_mfa::benchmark::BenchmarkLog;
+using ompl_mfa::benchmark::PlannerLog;
 using ompl_mfa::test::inputErrorOf;
 
 namespace

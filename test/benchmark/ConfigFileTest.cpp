@@ -47,8 +47,8 @@
 
 namespace
 {
-    using ompl_mfa::BenchmarkConfig;
-    using ompl_mfa::StateSpaceKind;
+    using ompl_mfa::benchmark::BenchmarkConfig;
+    using ompl_mfa::benchmark::StateSpaceKind;
     using ompl_mfa::test::inputErrorOf;
 
     /* Seven lines, so that what a test appends begins at line 8. */
@@ -59,7 +59,7 @@ namespace
     BenchmarkConfig parse(const std::string &text)
     {
         std::istringstream in(text);
-        return ompl_mfa::parseBenchmarkConfig(in, "folder/a.cfg");
+        return ompl_mfa::benchmark::parseBenchmarkConfig(in, "folder/a.cfg");
     }
 
     std::string errorOf(const std::string &text)
@@ -81,7 +81,7 @@ namespace
                                              "progress_interval = 0.001\n");
         EXPECT_EQ(config.problem.name, "scene");
         EXPECT_EQ(config.problem.world->value, "w.yaml");
-        EXPECT_EQ(config.problem.robotKind, ompl_mfa::RobotKind::DISC);
+        EXPECT_EQ(config.problem.robotKind, ompl_mfa::benchmark::RobotKind::DISC);
         EXPECT_EQ(config.problem.robotRadius, 0.3);
         EXPECT_EQ(config.problem.space, StateSpaceKind::ReedsShepp);
         EXPECT_EQ(config.problem.turningRadius, 2.5);
@@ -92,18 +92,19 @@ namespace
         ASSERT_TRUE(config.problem.volume);
         EXPECT_EQ(config.problem.volume->min[1], -2.0);
         EXPECT_EQ(config.problem.volume->max[1], 20.0);
-        EXPECT_EQ(config.problem.objective, ompl_mfa::ObjectiveKind::WEIGHTED);
+        EXPECT_EQ(config.problem.objective, ompl_mfa::benchmark::ObjectiveKind::WEIGHTED);
         EXPECT_EQ(*config.problem.objectiveThreshold, 5.0);
         ASSERT_EQ(config.problem.objectiveWeights.size(), 2u);
-        EXPECT_EQ(config.problem.objectiveWeights[1], std::make_pair(ompl_mfa::ObjectiveKind::PROXIMITY, 0.5));
-        EXPECT_EQ(config.problem.context.sampler, ompl_mfa::SamplerKind::GAUSSIAN);
+        EXPECT_EQ(config.problem.objectiveWeights[1],
+                  std::make_pair(ompl_mfa::benchmark::ObjectiveKind::PROXIMITY, 0.5));
+        EXPECT_EQ(config.problem.context.sampler, ompl_mfa::benchmark::SamplerKind::GAUSSIAN);
         EXPECT_EQ(config.problem.context.longestValidSegmentFraction, 0.02);
         EXPECT_FALSE(config.problem.context.cellSizeFactor);
         EXPECT_EQ(config.benchmark.timeLimit, 2.0);
         EXPECT_EQ(config.benchmark.memoryLimit, 300.0);
         EXPECT_EQ(config.benchmark.runCount, 4u);
         EXPECT_EQ(config.benchmark.output.string(), "logs");
-        EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::SavePaths::Shortest);
+        EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::benchmark::SavePaths::Shortest);
         EXPECT_FALSE(config.benchmark.simplify);
         EXPECT_EQ(config.benchmark.seed, 9u);
         EXPECT_EQ(config.benchmark.progressInterval, 0.001);
@@ -118,7 +119,7 @@ namespace
         EXPECT_FALSE(config.problem.objective);
         EXPECT_EQ(config.problem.threshold, 1e-6);
         EXPECT_EQ(config.problem.motionValidation.value, ompl_mfa::collision::MotionValidation::Discrete);
-        EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::SavePaths::None);
+        EXPECT_EQ(config.benchmark.savePaths, ompl_mfa::benchmark::SavePaths::None);
         EXPECT_TRUE(config.benchmark.simplify);
         EXPECT_EQ(config.benchmark.seed, 1u);
         EXPECT_TRUE(config.planners.empty());
@@ -169,9 +170,9 @@ namespace
                   "[planner]\nproblem.sampler = gaussian\nkpiece =\nprm =\nproblem.sampler = uniform\n"
                   "kpiece.range = 2\nproblem.projection.cellsize_factor = 4\n");
         ASSERT_EQ(config.planners.size(), 2u);
-        EXPECT_EQ(config.planners[0].context.sampler, ompl_mfa::SamplerKind::GAUSSIAN);
+        EXPECT_EQ(config.planners[0].context.sampler, ompl_mfa::benchmark::SamplerKind::GAUSSIAN);
         EXPECT_EQ(config.planners[0].context.cellSizeFactor, 4.0);
-        EXPECT_EQ(config.planners[1].context.sampler, ompl_mfa::SamplerKind::UNIFORM);
+        EXPECT_EQ(config.planners[1].context.sampler, ompl_mfa::benchmark::SamplerKind::UNIFORM);
         EXPECT_FALSE(config.planners[1].context.cellSizeFactor);
         EXPECT_FALSE(config.problem.context.sampler);
     }
@@ -314,9 +315,9 @@ namespace
 
     TEST(ConfigFile, FilesThatCannotBeReadAreNamed)
     {
-        EXPECT_EQ(inputErrorOf([] { ompl_mfa::readBenchmarkConfig("no_such.cfg"); }),
+        EXPECT_EQ(inputErrorOf([] { ompl_mfa::benchmark::readBenchmarkConfig("no_such.cfg"); }),
                   "no_such.cfg: cannot be read; expected a benchmark config");
-        EXPECT_NE(inputErrorOf([] { ompl_mfa::readBenchmarkConfig("."); }), "");
+        EXPECT_NE(inputErrorOf([] { ompl_mfa::benchmark::readBenchmarkConfig("."); }), "");
     }
 
     TEST(ConfigFile, ResourcesAreSoughtAsGivenBesideTheConfigAndInTheResourceFolder)
@@ -330,7 +331,7 @@ namespace
         BenchmarkConfig config = parse(PLANAR);
         config.file = root / "configs" / "a.cfg";
         const auto found = [&config](const std::string &name) {
-            return ompl_mfa::findResource(config, {"world", name, "a.cfg:2"});
+            return ompl_mfa::benchmark::findResource(config, {"world", name, "a.cfg:2"});
         };
 
         ::unsetenv("OMPL_MFA_RESOURCE_DIR");

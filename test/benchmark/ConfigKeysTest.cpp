@@ -50,7 +50,7 @@
 
 namespace
 {
-    using ompl_mfa::ConfigRow;
+    using ompl_mfa::benchmark::ConfigRow;
     using Cells = std::vector<std::string>;
 
     template <typename Config>
@@ -105,15 +105,15 @@ namespace
     TEST(ConfigKeys, TheTableOfProblemIsTheDocumentedOne)
     {
         std::vector<Cells> table;
-        append(table, ompl_mfa::problemRows());
-        append(table, ompl_mfa::contextRows());
+        append(table, ompl_mfa::benchmark::problemRows());
+        append(table, ompl_mfa::benchmark::contextRows());
         expectEqual(documented("## `[problem]`"), table);
     }
 
     TEST(ConfigKeys, TheTableOfBenchmarkIsTheDocumentedOne)
     {
         std::vector<Cells> table;
-        append(table, ompl_mfa::campaignRows());
+        append(table, ompl_mfa::benchmark::campaignRows());
         expectEqual(documented("## `[benchmark]`"), table);
     }
 
@@ -141,21 +141,22 @@ namespace
 
     TEST(ConfigKeys, ErrorsSayWhatTheTableAccepts)
     {
-        expectRefusals(ompl_mfa::problemRows());
-        expectRefusals(ompl_mfa::contextRows());
-        expectRefusals(ompl_mfa::campaignRows());
+        expectRefusals(ompl_mfa::benchmark::problemRows());
+        expectRefusals(ompl_mfa::benchmark::contextRows());
+        expectRefusals(ompl_mfa::benchmark::campaignRows());
     }
 
     TEST(ConfigKeys, EachKeyHasAPlaceOfItsOwn)
     {
-        ompl_mfa::ProblemConfig problem;
+        ompl_mfa::benchmark::ProblemConfig problem;
         double value = 1.0;
         for (const auto *key : {"start.x",      "start.y",      "start.z",      "start.axis.x", "start.axis.y",
                                 "start.axis.z", "start.theta",  "goal.x",       "goal.y",       "goal.z",
                                 "goal.axis.x",  "goal.axis.y",  "goal.axis.z",  "goal.theta",   "volume.min.x",
                                 "volume.min.y", "volume.min.z", "volume.max.x", "volume.max.y", "volume.max.z"})
         {
-            EXPECT_TRUE(setValue(ompl_mfa::problemRows(), key, {key, std::to_string(value), "a.cfg:3"}, problem));
+            EXPECT_TRUE(
+                setValue(ompl_mfa::benchmark::problemRows(), key, {key, std::to_string(value), "a.cfg:3"}, problem));
             ++value;
         }
         value = 1.0;
@@ -171,6 +172,6 @@ namespace
             for (int axis = 0; axis < 3; ++axis)
                 EXPECT_EQ(end[axis], value++);
         }
-        EXPECT_FALSE(setValue(ompl_mfa::problemRows(), "start.w", {"start.w", "1", "a.cfg:3"}, problem));
+        EXPECT_FALSE(setValue(ompl_mfa::benchmark::problemRows(), "start.w", {"start.w", "1", "a.cfg:3"}, problem));
     }
 }  // namespace

@@ -44,13 +44,13 @@
 
 namespace
 {
-    using ompl_mfa::ConfigEntry;
+    using ompl_mfa::benchmark::ConfigEntry;
     using ompl_mfa::test::inputErrorOf;
 
     std::vector<ConfigEntry> read(const std::string &text)
     {
         std::istringstream in(text);
-        return ompl_mfa::readConfigLines(in, "a.cfg");
+        return ompl_mfa::benchmark::readConfigLines(in, "a.cfg");
     }
 
     ConfigEntry valued(const std::string &value)
@@ -100,28 +100,28 @@ namespace
 
     TEST(ConfigLines, RealValueTakesNothingButAFiniteNumber)
     {
-        EXPECT_EQ(ompl_mfa::realValue(valued("-0.5e1")), -5.0);
-        EXPECT_EQ(ompl_mfa::realValue(valued("+2")), 2.0);
+        EXPECT_EQ(ompl_mfa::benchmark::realValue(valued("-0.5e1")), -5.0);
+        EXPECT_EQ(ompl_mfa::benchmark::realValue(valued("+2")), 2.0);
         for (const char *text : {"", "1.0x", "0x10", "1,5", "nan", "inf", "-inf", "1e999", "one"})
-            EXPECT_EQ(inputErrorOf([&] { ompl_mfa::realValue(valued(text)); }),
+            EXPECT_EQ(inputErrorOf([&] { ompl_mfa::benchmark::realValue(valued(text)); }),
                       "a.cfg:3: key = " + std::string(text) + ": expected a finite number");
     }
 
     TEST(ConfigLines, WholeValueStaysInItsRange)
     {
-        EXPECT_EQ(ompl_mfa::wholeValue(valued("4294967295"), 1, 4294967295), 4294967295u);
+        EXPECT_EQ(ompl_mfa::benchmark::wholeValue(valued("4294967295"), 1, 4294967295), 4294967295u);
         for (const char *text : {"0", "-1", "4294967296", "99999999999999999999999", "1.0", "1e3", ""})
-            EXPECT_EQ(inputErrorOf([&] { ompl_mfa::wholeValue(valued(text), 1, 4294967295); }),
+            EXPECT_EQ(inputErrorOf([&] { ompl_mfa::benchmark::wholeValue(valued(text), 1, 4294967295); }),
                       "a.cfg:3: key = " + std::string(text) + ": expected a whole number from 1 to 4294967295");
     }
 
     TEST(ConfigLines, SwitchValueKnowsBothSides)
     {
         for (const char *text : {"1", "true", "Yes", "ON"})
-            EXPECT_TRUE(ompl_mfa::switchValue(valued(text))) << text;
+            EXPECT_TRUE(ompl_mfa::benchmark::switchValue(valued(text))) << text;
         for (const char *text : {"0", "false", "no", "off"})
-            EXPECT_FALSE(ompl_mfa::switchValue(valued(text))) << text;
-        EXPECT_EQ(inputErrorOf([] { ompl_mfa::switchValue(valued("2")); }),
+            EXPECT_FALSE(ompl_mfa::benchmark::switchValue(valued(text))) << text;
+        EXPECT_EQ(inputErrorOf([] { ompl_mfa::benchmark::switchValue(valued("2")); }),
                   "a.cfg:3: key = 2: expected one of 0, 1, false, true, no, yes, off, on");
     }
 }  // namespace

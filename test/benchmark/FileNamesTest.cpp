@@ -44,9 +44,9 @@
 
 #include "benchmark/InputErrorOf.h"
 
-using ompl_mfa::fileNamePart;
-using ompl_mfa::isFileName;
-using ompl_mfa::writtenPath;
+using ompl_mfa::benchmark::fileNamePart;
+using ompl_mfa::benchmark::isFileName;
+using ompl_mfa::benchmark::writtenPath;
 using ompl_mfa::test::inputErrorOf;
 
 TEST(FileNames, OrdinaryNamesStayAsTheyAre)
@@ -63,15 +63,15 @@ TEST(FileNames, RefusesWhatIsNoFile)
     for (const std::string name : {"", ".", "..", "a/b", "/", "../a", "a\nb", "a\x7f"})
         EXPECT_FALSE(isFileName(name)) << name;
     EXPECT_FALSE(isFileName(std::string("a\0b", 3)));
-    EXPECT_TRUE(isFileName(std::string(ompl_mfa::LONGEST_NAME, 'n')));
-    EXPECT_FALSE(isFileName(std::string(ompl_mfa::LONGEST_NAME + 1, 'n')));
+    EXPECT_TRUE(isFileName(std::string(ompl_mfa::benchmark::LONGEST_NAME, 'n')));
+    EXPECT_FALSE(isFileName(std::string(ompl_mfa::benchmark::LONGEST_NAME + 1, 'n')));
 }
 
 RC_GTEST_PROP(FileNames, PartsOfNamesAreNoFoldersAndTellNamesApart, (const std::string &a, const std::string &b))
 {
     const std::string part = fileNamePart(a);
     RC_ASSERT(part.find('/') == std::string::npos);
-    RC_ASSERT(!ompl_mfa::hasControlCharacter(part));
+    RC_ASSERT(!ompl_mfa::benchmark::hasControlCharacter(part));
     RC_ASSERT((part == fileNamePart(b)) == (a == b));
 }
 

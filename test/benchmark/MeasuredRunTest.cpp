@@ -55,10 +55,10 @@
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-using ompl_mfa::ProgressSample;
-using ompl_mfa::RunRecord;
-using ompl_mfa::RunSettings;
-using ompl_mfa::RunState;
+using ompl_mfa::benchmark::ProgressSample;
+using ompl_mfa::benchmark::RunRecord;
+using ompl_mfa::benchmark::RunSettings;
+using ompl_mfa::benchmark::RunState;
 using ompl_mfa::campaign::makeShared;
 using ompl_mfa::campaign::RunLimits;
 using ompl_mfa::campaign::RunProcess;
@@ -80,8 +80,8 @@ namespace
             [&] { return writeRunRecord(measureRun([] { return planarProblem(); }, planner, settings, seed, *state)); },
             RunLimits(), state);
         process.wait();
-        EXPECT_EQ(process.termination(), ompl_mfa::RunTermination::Returned) << process.console();
-        return ompl_mfa::readRunRecord(process.result());
+        EXPECT_EQ(process.termination(), ompl_mfa::campaign::RunTermination::Returned) << process.console();
+        return ompl_mfa::benchmark::readRunRecord(process.result());
     }
 
     double number(const RunRecord &record, const std::string &property)
@@ -302,8 +302,8 @@ TEST(MeasuredRun, KeepsApproximateSolutionsApart)
         },
         RunLimits(), state);
     process.wait();
-    ASSERT_EQ(process.termination(), ompl_mfa::RunTermination::Returned);
-    const RunRecord record = ompl_mfa::readRunRecord(process.result());
+    ASSERT_EQ(process.termination(), ompl_mfa::campaign::RunTermination::Returned);
+    const RunRecord record = ompl_mfa::benchmark::readRunRecord(process.result());
     EXPECT_EQ(number(record, "solved BOOLEAN"), 0.0);
     EXPECT_EQ(record.properties.count("solution length REAL"), 0u);
     EXPECT_EQ(record.properties.count("simplified solution length REAL"), 0u);
@@ -345,10 +345,10 @@ TEST(MeasuredRun, TheTimeIsThePlannersOwn)
     RunProcess process(
         [&] { return writeRunRecord(measureRun(slowlyMeasured, makePlanner<og::RRTConnect>, settings, 1, *state)); },
         RunLimits(), state);
-    const double start = ompl_mfa::monotonicSeconds();
+    const double start = ompl_mfa::campaign::monotonicSeconds();
     process.wait();
-    EXPECT_GT(ompl_mfa::monotonicSeconds() - start, 1.0) << "the path is measured";
-    const RunRecord record = ompl_mfa::readRunRecord(process.result());
+    EXPECT_GT(ompl_mfa::campaign::monotonicSeconds() - start, 1.0) << "the path is measured";
+    const RunRecord record = ompl_mfa::benchmark::readRunRecord(process.result());
     EXPECT_EQ(number(record, "solved BOOLEAN"), 1.0);
     EXPECT_LT(number(record, "time REAL"), 0.8);
 }
@@ -356,21 +356,21 @@ TEST(MeasuredRun, TheTimeIsThePlannersOwn)
 TEST(MeasuredRun, AThrowingPlannerIsACrash)
 {
     const RunRecord record = run(ompl_mfa_test::throwingPlanner(), shortRun(), 1);
-    EXPECT_EQ(record.termination, ompl_mfa::RunTermination::Exception);
+    EXPECT_EQ(record.termination, ompl_mfa::campaign::RunTermination::Exception);
     EXPECT_EQ(number(record, "status ENUM"), static_cast<double>(ob::PlannerStatus::CRASH));
 }
 
 TEST(RunSeed, IsAFunctionOfBaseAndRun)
 {
     // SplitMix64 from state 1: the first outputs, computed independently, modulo 2^31 - 1.
-    EXPECT_EQ(ompl_mfa::runSeed(1, 0), 10451216379200822465ULL % 0x7fffffffULL);
-    EXPECT_EQ(ompl_mfa::runSeed(1, 1), 13757245211066428519ULL % 0x7fffffffULL);
+    EXPECT_EQ(ompl_mfa::benchmark::runSeed(1, 0), 10451216379200822465ULL % 0x7fffffffULL);
+    EXPECT_EQ(ompl_mfa::benchmark::runSeed(1, 1), 13757245211066428519ULL % 0x7fffffffULL);
     std::set<std::uint32_t> seeds;
     for (std::uint64_t base = 1; base <= 20; ++base)
     {
         for (unsigned int k = 0; k < 100; ++k)
         {
-            seeds.insert(ompl_mfa::runSeed(base, k));
+            seeds.insert(ompl_mfa::benchmark::runSeed(base, k));
         }
     }
     EXPECT_EQ(seeds.size(), 2000u);

@@ -48,20 +48,20 @@
 namespace
 {
     namespace ob = ompl::base;
-    using ompl_mfa::ConfigPose;
-    using ompl_mfa::findNearbyState;
-    using ompl_mfa::StateSpaceKind;
+    using ompl_mfa::benchmark::ConfigPose;
+    using ompl_mfa::benchmark::findNearbyState;
+    using ompl_mfa::benchmark::StateSpaceKind;
 
     /* A problem in which states are valid outside of a ball about the origin. */
     ob::SpaceInformationPtr ballProblem(StateSpaceKind kind, double radius, double high = 10.0)
     {
-        const unsigned int dimension = ompl_mfa::positionDimension(kind);
+        const unsigned int dimension = ompl_mfa::benchmark::positionDimension(kind);
         ob::RealVectorBounds bounds(dimension);
         bounds.setLow(-10.0);
         bounds.setHigh(high);
-        ompl_mfa::ProblemConfig problem;
+        ompl_mfa::benchmark::ProblemConfig problem;
         problem.space = kind;
-        const auto space = ompl_mfa::makeStateSpace(problem, bounds);
+        const auto space = ompl_mfa::benchmark::makeStateSpace(problem, bounds);
         const auto si = std::make_shared<ob::SpaceInformation>(space);
         si->setStateValidityChecker(
             [space = space.get(), dimension, radius](const ob::State *state)

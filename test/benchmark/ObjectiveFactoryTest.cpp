@@ -49,8 +49,8 @@
 namespace
 {
     namespace ob = ompl::base;
-    using ompl_mfa::ObjectiveKind;
-    using ompl_mfa::ProblemConfig;
+    using ompl_mfa::benchmark::ObjectiveKind;
+    using ompl_mfa::benchmark::ProblemConfig;
 
     /* Valid everywhere; the clearance is x, and infinite above 5. */
     class ClearanceIsX : public ob::StateValidityChecker
@@ -86,7 +86,7 @@ namespace
         {
             ProblemConfig problem;
             problem.objective = kind;
-            return ompl_mfa::makeObjective(si_, problem);
+            return ompl_mfa::benchmark::makeObjective(si_, problem);
         }
 
         double cost(const ob::OptimizationObjectivePtr &objective, double x0, double y0, double x1, double y1) const
@@ -106,7 +106,7 @@ namespace
 
     TEST_F(ObjectiveFactory, NoObjectiveWhereTheConfigNamesNone)
     {
-        EXPECT_FALSE(ompl_mfa::makeObjective(si_, ProblemConfig()));
+        EXPECT_FALSE(ompl_mfa::benchmark::makeObjective(si_, ProblemConfig()));
     }
 
     TEST_F(ObjectiveFactory, EachNameIsItsOwnObjective)
@@ -123,7 +123,7 @@ namespace
         ProblemConfig problem;
         problem.objective = ObjectiveKind::WEIGHTED;
         problem.objectiveWeights = {{ObjectiveKind::PROXIMITY, 1.0}};
-        const auto objective = ompl_mfa::makeObjective(si_, problem);
+        const auto objective = ompl_mfa::benchmark::makeObjective(si_, problem);
         EXPECT_NEAR(cost(objective, 0, 0, 4, 0), std::log(5.0), 5e-3);
         EXPECT_NEAR(cost(objective, 6, 0, 6, 8), 0.0, 1e-12) << "nothing is near where the clearance is infinite";
     }
@@ -133,7 +133,8 @@ namespace
         ProblemConfig problem;
         problem.objective = ObjectiveKind::WEIGHTED;
         problem.objectiveWeights = {{ObjectiveKind::LENGTH, 2.0}, {ObjectiveKind::PROXIMITY, 3.0}};
-        EXPECT_NEAR(cost(ompl_mfa::makeObjective(si_, problem), 0, 0, 4, 0), 2.0 * 4.0 + 3.0 * std::log(5.0), 1e-2);
+        EXPECT_NEAR(cost(ompl_mfa::benchmark::makeObjective(si_, problem), 0, 0, 4, 0), 2.0 * 4.0 + 3.0 * std::log(5.0),
+                    1e-2);
     }
 
     TEST_F(ObjectiveFactory, ThresholdIsTheConfigs)
@@ -141,6 +142,6 @@ namespace
         ProblemConfig problem;
         problem.objective = ObjectiveKind::LENGTH;
         problem.objectiveThreshold = 7.5;
-        EXPECT_EQ(ompl_mfa::makeObjective(si_, problem)->getCostThreshold().value(), 7.5);
+        EXPECT_EQ(ompl_mfa::benchmark::makeObjective(si_, problem)->getCostThreshold().value(), 7.5);
     }
 }  // namespace

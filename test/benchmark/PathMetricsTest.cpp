@@ -71,7 +71,7 @@ TEST(PathMetrics, ResampledStatesLieAtEqualDistances)
     const auto setup = ompl_mfa_test::planarProblem();
     setup->getSpaceInformation()->setup();
     auto path = pathThrough(*setup, {{0, 0}, {3, 0}, {3, 0.1}, {3, 4}});
-    auto resampled = ompl_mfa::resamplePath(path, 0.5);
+    auto resampled = ompl_mfa::benchmark::resamplePath(path, 0.5);
     ASSERT_EQ(resampled.getStateCount(), 15u);  // 7 units in 14 motions
     for (std::size_t i = 0; i < 15; ++i)
     {
@@ -85,10 +85,11 @@ TEST(PathMetrics, DegeneratePathsAreLeftAlone)
 {
     const auto setup = ompl_mfa_test::planarProblem();
     setup->getSpaceInformation()->setup();
-    EXPECT_EQ(ompl_mfa::resamplePath(pathThrough(*setup, {{1, 1}}), 0.1).getStateCount(), 1u);
-    EXPECT_EQ(ompl_mfa::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}}), 0.1).getStateCount(), 2u);
+    EXPECT_EQ(ompl_mfa::benchmark::resamplePath(pathThrough(*setup, {{1, 1}}), 0.1).getStateCount(), 1u);
+    EXPECT_EQ(ompl_mfa::benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}}), 0.1).getStateCount(), 2u);
     // Repeated vertices, first, last and within.
-    auto path = ompl_mfa::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}, {2, 1}, {2, 1}, {3, 1}, {3, 1}}), 1.0);
+    auto path =
+        ompl_mfa::benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}, {2, 1}, {2, 1}, {3, 1}, {3, 1}}), 1.0);
     ASSERT_EQ(path.getStateCount(), 3u);
     EXPECT_NEAR(coordinates(path.getState(1))[0], 2.0, 1e-12);
 }
@@ -100,7 +101,7 @@ TEST(PathMetrics, MinimumClearanceIsThatBetweenTheVertices)
     // Passes the disc at distance 2 from the centre, in the middle of its only motion.
     auto path = pathThrough(*setup, {{0, 7}, {10, 7}});
     const double step = setup->getStateSpace()->getLongestValidSegmentLength();
-    EXPECT_NEAR(ompl_mfa::measurePath(path).minimumClearance, 1.0, step * step);
+    EXPECT_NEAR(ompl_mfa::benchmark::measurePath(path).minimumClearance, 1.0, step * step);
     EXPECT_GT(path.clearance(), 4.0);  // OMPL's own: the mean over the two ends
 }
 
@@ -110,12 +111,12 @@ TEST(PathMetrics, DoesNotDependOnTheVertices)
     setup->getSpaceInformation()->setup();
     auto coarse = pathThrough(*setup, {{0, 1}, {5, 1}, {9, 3}});
     auto fine = pathThrough(*setup, {{0, 1}, {1, 1}, {2.5, 1}, {5, 1}, {7, 2}, {9, 3}});
-    const auto a = ompl_mfa::measurePath(coarse);
-    const auto b = ompl_mfa::measurePath(fine);
+    const auto a = ompl_mfa::benchmark::measurePath(coarse);
+    const auto b = ompl_mfa::benchmark::measurePath(fine);
     EXPECT_NEAR(a.smoothness, b.smoothness, 1e-6 * a.smoothness);
     EXPECT_GT(a.smoothness, 0.0);
     EXPECT_EQ(a.minimumClearance, b.minimumClearance);
     EXPECT_GT(std::abs(coarse.smoothness() - fine.smoothness()), 0.01);
 
-    EXPECT_NEAR(ompl_mfa::measurePath(pathThrough(*setup, {{0, 1}, {9, 1}})).smoothness, 0.0, 1e-9);
+    EXPECT_NEAR(ompl_mfa::benchmark::measurePath(pathThrough(*setup, {{0, 1}, {9, 1}})).smoothness, 0.0, 1e-9);
 }

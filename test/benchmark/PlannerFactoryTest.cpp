@@ -56,7 +56,7 @@
 namespace
 {
     namespace ob = ompl::base;
-    using ompl_mfa::PlannerSpec;
+    using ompl_mfa::benchmark::PlannerSpec;
     using ompl_mfa::test::inputErrorOf;
 
     template <typename Space>
@@ -70,12 +70,12 @@ namespace
 
     ob::SpaceInformationPtr square()
     {
-        ompl_mfa::ProblemConfig problem;
-        problem.space = ompl_mfa::StateSpaceKind::R2;
+        ompl_mfa::benchmark::ProblemConfig problem;
+        problem.space = ompl_mfa::benchmark::StateSpaceKind::R2;
         ob::RealVectorBounds bounds(2);
         bounds.setLow(0.0);
         bounds.setHigh(10.0);
-        return inSpace(ompl_mfa::makeStateSpace(problem, bounds));
+        return inSpace(ompl_mfa::benchmark::makeStateSpace(problem, bounds));
     }
 
     template <typename Space>
@@ -89,32 +89,35 @@ namespace
         return inSpace(space);
     }
 
-    PlannerSpec spec(const std::string &type, std::vector<ompl_mfa::ConfigEntry> parameters = {})
+    PlannerSpec spec(const std::string &type, std::vector<ompl_mfa::benchmark::ConfigEntry> parameters = {})
     {
         return {type, "", "a.cfg:9", std::move(parameters), {}};
     }
 
     std::string errorOf(const std::string &type, const std::string &key, const std::string &value)
     {
-        return inputErrorOf([&] { ompl_mfa::createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}})); });
+        return inputErrorOf(
+            [&] {
+                ompl_mfa::benchmark::createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}}));
+            });
     }
 
     TEST(PlannerFactory, MakesEveryPlannerItNames)
     {
-        const auto names = ompl_mfa::plannerNames();
+        const auto names = ompl_mfa::benchmark::plannerNames();
         EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
         const auto si = square();
         for (const auto &name : names)
         {
-            const ob::PlannerPtr planner = ompl_mfa::createPlanner(si, spec(name));
+            const ob::PlannerPtr planner = ompl_mfa::benchmark::createPlanner(si, spec(name));
             ASSERT_TRUE(planner) << name;
-            EXPECT_EQ(planner->getName(), ompl_mfa::plannerTitle(name)) << name;
+            EXPECT_EQ(planner->getName(), ompl_mfa::benchmark::plannerTitle(name)) << name;
         }
     }
 
     TEST(PlannerFactory, KnowsThePlannersOfTheBenchmarkProgramAndThoseItDrops)
     {
-        const auto names = ompl_mfa::plannerNames();
+        const auto names = ompl_mfa::benchmark::plannerNames();
         for (const char *name : {"rrtconnect", "lazyrrt",    "lazyprm",
                                  "kpiece",     "bkpiece",    "lbkpiece",
                                  "est",        "biest",      "projest",
@@ -150,7 +153,7 @@ namespace
         goal[0] = 8.0;
         start[1] = goal[1] = 3.0;
         pdef->setStartAndGoalStates(start, goal, 0.5);
-        const ob::PlannerPtr planner = ompl_mfa::createPlanner(si, spec(name));
+        const ob::PlannerPtr planner = ompl_mfa::benchmark::createPlanner(si, spec(name));
         planner->setProblemDefinition(pdef);
         planner->setup();
         for (int attempt = 0; attempt < 50 && !pdef->hasSolution(); ++attempt)
@@ -161,7 +164,7 @@ namespace
     /* Each in a process of its own: assertions in OMPL 1.5.2's LazyLBTRRT and AIT* fail every now and then. */
     TEST(PlannerFactory, EveryPlannerSolvesASquareWithAWall)
     {
-        for (const auto &name : ompl_mfa::plannerNames())
+        for (const auto &name : ompl_mfa::benchmark::plannerNames())
         {
             const pid_t child = ::fork();
             ASSERT_GE(child, 0);
@@ -181,7 +184,7 @@ namespace
         wanted.name = "RRT*";
         wanted.parameters.push_back({"tree_pruning", "on", "a.cfg:12"});
         const auto planner =
-            std::dynamic_pointer_cast<ompl::geometric::RRTstar>(ompl_mfa::createPlanner(square(), wanted));
+            std::dynamic_pointer_cast<ompl::geometric::RRTstar>(ompl_mfa::benchmark::createPlanner(square(), wanted));
         ASSERT_TRUE(planner);
         EXPECT_EQ(planner->getName(), "RRT*");
         EXPECT_EQ(planner->getRange(), 0.25);
@@ -192,8 +195,8 @@ namespace
     TEST(PlannerFactory, ParametersOfOnePlannerDoNotReachTheNext)
     {
         const auto si = square();
-        ompl_mfa::createPlanner(si, spec("rrtstar", {{"goal_bias", "0.5", "a.cfg:10"}}));
-        const auto next = ompl_mfa::createPlanner(si, spec("rrtstar"));
+        ompl_mfa::benchmark::createPlanner(si, spec("rrtstar", {{"goal_bias", "0.5", "a.cfg:10"}}));
+        const auto next = ompl_mfa::benchmark::createPlanner(si, spec("rrtstar"));
         EXPECT_EQ(next->as<ompl::geometric::RRTstar>()->getGoalBias(), 0.05);
     }
 
@@ -248,7 +251,9 @@ namespace
         const auto valueOf = [](const std::string &type, const std::string &key, const std::string &value)
         {
             std::string text;
-            ompl_mfa::createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}}))->params().getParam(key, text);
+            ompl_mfa::benchmark::createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}}))
+                ->params()
+                .getParam(key, text);
             return text;
         };
         const std::vector<std::pair<std::string, std::string>> switches = {
@@ -276,9 +281,9 @@ namespace
     TEST(PlannerFactory, UnknownAndUnavailablePlannersAreRefused)
     {
         const auto si = square();
-        EXPECT_EQ(inputErrorOf([&] { ompl_mfa::createPlanner(si, spec("rrtconect")); }),
+        EXPECT_EQ(inputErrorOf([&] { ompl_mfa::benchmark::createPlanner(si, spec("rrtconect")); }),
                   "a.cfg:9: unknown planner 'rrtconect'; did you mean 'rrtconnect'?");
-        EXPECT_EQ(inputErrorOf([&] { ompl_mfa::createPlanner(si, spec("thunder")); }),
+        EXPECT_EQ(inputErrorOf([&] { ompl_mfa::benchmark::createPlanner(si, spec("thunder")); }),
                   "a.cfg:9: planner 'thunder' is not available: it needs a database of experiences");
     }
 
@@ -289,28 +294,29 @@ namespace
             std::vector<ob::StateSpacePtr>{part, part}, std::vector<double>{1.0, 1.0}));
         for (const char *name : {"kpiece", "sbl", "pdst", "projest", "lbkpiece"})
         {
-            EXPECT_NE(inputErrorOf([&] { ompl_mfa::createPlanner(rotations, spec(name)); }).find("projection"),
-                      std::string::npos)
+            EXPECT_NE(
+                inputErrorOf([&] { ompl_mfa::benchmark::createPlanner(rotations, spec(name)); }).find("projection"),
+                std::string::npos)
                 << name;
         }
-        EXPECT_NE(inputErrorOf([&] { ompl_mfa::createPlanner(rotations, spec("tsrrt")); }), "");
+        EXPECT_NE(inputErrorOf([&] { ompl_mfa::benchmark::createPlanner(rotations, spec("tsrrt")); }), "");
 
         const auto dubins = carSpace<ob::DubinsStateSpace>();
         const auto reedsShepp = carSpace<ob::ReedsSheppStateSpace>();
         for (const char *name : {"prm", "prmstar", "biest", "sbl", "spars"})
         {
-            EXPECT_NE(inputErrorOf([&] { ompl_mfa::createPlanner(dubins, spec(name)); }).find("backwards"),
+            EXPECT_NE(inputErrorOf([&] { ompl_mfa::benchmark::createPlanner(dubins, spec(name)); }).find("backwards"),
                       std::string::npos)
                 << name;
-            EXPECT_TRUE(ompl_mfa::createPlanner(reedsShepp, spec(name))) << name;
+            EXPECT_TRUE(ompl_mfa::benchmark::createPlanner(reedsShepp, spec(name))) << name;
         }
-        EXPECT_NE(inputErrorOf([&] { ompl_mfa::createPlanner(dubins, spec("lazylbtrrt")); }), "");
-        EXPECT_TRUE(ompl_mfa::createPlanner(dubins, spec("rrtconnect")));
+        EXPECT_NE(inputErrorOf([&] { ompl_mfa::benchmark::createPlanner(dubins, spec("lazylbtrrt")); }), "");
+        EXPECT_TRUE(ompl_mfa::benchmark::createPlanner(dubins, spec("rrtconnect")));
     }
 
     TEST(PlannerFactory, ParametersHaveTypesRangesAndDefaults)
     {
-        const auto parameters = ompl_mfa::plannerParameters("rrtstar");
+        const auto parameters = ompl_mfa::benchmark::plannerParameters("rrtstar");
         const auto find = [&parameters](const std::string &name)
         {
             return *std::find_if(parameters.begin(), parameters.end(),
@@ -328,7 +334,7 @@ namespace
         const std::string number = "[0-9.]+(e[+-][0-9]+)?";
         const std::regex range(number + ":" + number + ":" + number + "|\\w+(,\\w+)+");
         for (const char *name : {"mfa", "mfa_paper", "fa_paper"})
-            for (const auto &parameter : ompl_mfa::plannerParameters(name))
+            for (const auto &parameter : ompl_mfa::benchmark::plannerParameters(name))
                 EXPECT_TRUE(std::regex_match(parameter.range, range)) << name << "." << parameter.name;
     }
 
@@ -336,7 +342,7 @@ namespace
     {
         for (const char *name : {"mfa_paper", "fa_paper"})
         {
-            for (const auto &parameter : ompl_mfa::plannerParameters(name))
+            for (const auto &parameter : ompl_mfa::benchmark::plannerParameters(name))
             {
                 if (parameter.name == "guide")
                 {
@@ -352,12 +358,12 @@ namespace
 
     TEST(PlannerFactory, SeedsPlannersThatHaveASeed)
     {
-        const auto mfa = ompl_mfa::createPlanner(square(), spec("mfa"));
-        ompl_mfa::seedPlanner(*mfa, 77);
+        const auto mfa = ompl_mfa::benchmark::createPlanner(square(), spec("mfa"));
+        ompl_mfa::benchmark::seedPlanner(*mfa, 77);
         std::string seed;
         ASSERT_TRUE(mfa->params().getParam("seed", seed));
         EXPECT_EQ(seed, "77");
-        const auto rrt = ompl_mfa::createPlanner(square(), spec("rrt"));
-        EXPECT_NO_THROW(ompl_mfa::seedPlanner(*rrt, 77));
+        const auto rrt = ompl_mfa::benchmark::createPlanner(square(), spec("rrt"));
+        EXPECT_NO_THROW(ompl_mfa::benchmark::seedPlanner(*rrt, 77));
     }
 }  // namespace

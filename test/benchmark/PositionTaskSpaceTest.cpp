@@ -59,7 +59,7 @@ namespace
 
     TEST(PositionTaskSpace, SamplesWithinTheBounds)
     {
-        const ompl_mfa::PositionTaskSpace task(rigidBody());
+        const ompl_mfa::benchmark::PositionTaskSpace task(rigidBody());
         ASSERT_EQ(task.getDimension(), 3);
         Eigen::VectorXd position(3);
         Eigen::VectorXd lower = Eigen::VectorXd::Constant(3, 2.0);
@@ -79,7 +79,7 @@ namespace
     TEST(PositionTaskSpace, LiftingAndProjectingIsTheIdentity)
     {
         const auto si = rigidBody();
-        const ompl_mfa::PositionTaskSpace task(si);
+        const ompl_mfa::benchmark::PositionTaskSpace task(si);
         ob::ScopedState<ob::SE3StateSpace> state(si);
         Eigen::VectorXd back(3);
         Eigen::VectorXd position(3);
@@ -93,6 +93,6 @@ namespace
     TEST(PositionTaskSpace, RefusesSpacesWithoutPosition)
     {
         const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SO2StateSpace>());
-        EXPECT_THROW(ompl_mfa::PositionTaskSpace task(si), ompl::Exception);
+        EXPECT_THROW(ompl_mfa::benchmark::PositionTaskSpace task(si), ompl::Exception);
     }
 }  // namespace

@@ -59,8 +59,8 @@ namespace
 {
     namespace ob = ompl::base;
     namespace fs = std::filesystem;
-    using ompl_mfa::BenchmarkConfig;
-    using ompl_mfa::ProblemFactory;
+    using ompl_mfa::benchmark::BenchmarkConfig;
+    using ompl_mfa::benchmark::ProblemFactory;
     using ompl_mfa::test::inputErrorOf;
 
     const std::string WALL =
@@ -97,7 +97,7 @@ namespace
         BenchmarkConfig config(const std::string &text) const
         {
             write("a.cfg", text);
-            return ompl_mfa::readBenchmarkConfig(folder_ / "a.cfg");
+            return ompl_mfa::benchmark::readBenchmarkConfig(folder_ / "a.cfg");
         }
 
         std::string errorOf(const std::string &text) const
@@ -340,7 +340,7 @@ namespace
 
     TEST_F(ProblemFactoryTest, SeedZeroIsRefused)
     {
-        EXPECT_NE(inputErrorOf([] { ompl_mfa::setRandomSeed(0); }), "");
+        EXPECT_NE(inputErrorOf([] { ompl_mfa::benchmark::setRandomSeed(0); }), "");
     }
 
     fs::path omplapp()
@@ -356,7 +356,8 @@ namespace
         for (const char *name :
              {"2D/Barriers", "2D/RandomPolygons_planar", "3D/Easy", "3D/Twistycool", "3D/cubicles", "3D/cubicles_opt"})
         {
-            const ProblemFactory factory(ompl_mfa::readBenchmarkConfig(omplapp() / (std::string(name) + ".cfg")));
+            const ProblemFactory factory(
+                ompl_mfa::benchmark::readBenchmarkConfig(omplapp() / (std::string(name) + ".cfg")));
             EXPECT_FALSE(factory.config().planners.empty()) << name;
             for (const auto &spec : factory.config().planners)
             {
@@ -374,7 +375,8 @@ namespace
         for (const char *name : {"2D/Barriers", "2D/RandomPolygons_planar", "3D/Easy", "3D/Twistycool", "3D/cubicles"})
         {
             const auto setup =
-                ProblemFactory(ompl_mfa::readBenchmarkConfig(omplapp() / (std::string(name) + ".cfg"))).create();
+                ProblemFactory(ompl_mfa::benchmark::readBenchmarkConfig(omplapp() / (std::string(name) + ".cfg")))
+                    .create();
             std::ifstream in(omplapp() / (std::string(name) + ".path"));
             ob::ScopedState<> state(setup->getStateSpace());
             std::vector<double> values(setup->getStateSpace()->getDimension() == 6 ? 7 : 3);

@@ -48,9 +48,9 @@
 namespace
 {
     namespace ob = ompl::base;
-    using ompl_mfa::ConfigPose;
-    using ompl_mfa::ProblemConfig;
-    using ompl_mfa::StateSpaceKind;
+    using ompl_mfa::benchmark::ConfigPose;
+    using ompl_mfa::benchmark::ProblemConfig;
+    using ompl_mfa::benchmark::StateSpaceKind;
 
     const double PI = std::acos(-1.0);
 
@@ -59,10 +59,10 @@ namespace
         ProblemConfig problem;
         problem.space = kind;
         problem.turningRadius = turningRadius;
-        ob::RealVectorBounds bounds(ompl_mfa::positionDimension(kind));
+        ob::RealVectorBounds bounds(ompl_mfa::benchmark::positionDimension(kind));
         bounds.setLow(-10.0);
         bounds.setHigh(10.0);
-        return ompl_mfa::makeStateSpace(problem, bounds);
+        return ompl_mfa::benchmark::makeStateSpace(problem, bounds);
     }
 
     TEST(ProblemSpace, EachKindIsItsOwnSpace)
@@ -86,8 +86,8 @@ namespace
         for (const auto kind : {StateSpaceKind::Dubins, StateSpaceKind::DubinsSymmetric})
         {
             const auto space = spaceOf(kind, 2.5);
-            const auto a = ompl_mfa::makeState(space, kind, from);
-            const auto b = ompl_mfa::makeState(space, kind, to);
+            const auto a = ompl_mfa::benchmark::makeState(space, kind, from);
+            const auto b = ompl_mfa::benchmark::makeState(space, kind, to);
             EXPECT_NEAR(space->distance(a.get(), b.get()), 2.5 * PI, 1e-9) << "half a circle";
         }
     }
@@ -101,7 +101,7 @@ namespace
             {
                 ConfigPose pose;
                 pose.theta = theta;
-                const auto state = ompl_mfa::makeState(space, kind, pose);
+                const auto state = ompl_mfa::benchmark::makeState(space, kind, pose);
                 EXPECT_TRUE(space->satisfiesBounds(state.get())) << theta;
                 const double yaw = state->as<ob::SE2StateSpace::StateType>()->getYaw();
                 EXPECT_NEAR(std::cos(yaw), std::cos(theta), 1e-9);
@@ -118,7 +118,7 @@ namespace
         pose.axis[1] = 20.0;
         pose.axis[2] = 0.0;
         pose.theta = PI / 2 + 4 * PI;
-        const auto state = ompl_mfa::makeState(space, StateSpaceKind::SE3, pose);
+        const auto state = ompl_mfa::benchmark::makeState(space, StateSpaceKind::SE3, pose);
         EXPECT_TRUE(space->satisfiesBounds(state.get()));
         const auto &rotation = state->as<ob::SE3StateSpace::StateType>()->rotation();
         EXPECT_NEAR(std::abs(rotation.y), std::sqrt(0.5), 1e-12);
@@ -130,7 +130,7 @@ namespace
         const auto space = spaceOf(StateSpaceKind::SE2);
         ConfigPose pose;
         pose.x = 11.0;
-        EXPECT_FALSE(space->satisfiesBounds(ompl_mfa::makeState(space, StateSpaceKind::SE2, pose).get()));
+        EXPECT_FALSE(space->satisfiesBounds(ompl_mfa::benchmark::makeState(space, StateSpaceKind::SE2, pose).get()));
     }
 
     TEST(ProblemSpace, RotationWeightScalesTheRotationInTheDistance)
@@ -141,11 +141,11 @@ namespace
         ob::RealVectorBounds bounds(2);
         bounds.setLow(0.0);
         bounds.setHigh(1.0);
-        const auto space = ompl_mfa::makeStateSpace(problem, bounds);
+        const auto space = ompl_mfa::benchmark::makeStateSpace(problem, bounds);
         ConfigPose turned;
         turned.theta = 0.5;
-        EXPECT_NEAR(space->distance(ompl_mfa::makeState(space, problem.space, {}).get(),
-                                    ompl_mfa::makeState(space, problem.space, turned).get()),
+        EXPECT_NEAR(space->distance(ompl_mfa::benchmark::makeState(space, problem.space, {}).get(),
+                                    ompl_mfa::benchmark::makeState(space, problem.space, turned).get()),
                     1.5, 1e-12);
     }
 
@@ -163,9 +163,9 @@ namespace
             pose.y = -2.0;
             pose.z = 3.0;
             const auto projection = space->getDefaultProjection();
-            ASSERT_EQ(projection->getDimension(), ompl_mfa::positionDimension(kind));
+            ASSERT_EQ(projection->getDimension(), ompl_mfa::benchmark::positionDimension(kind));
             Eigen::VectorXd position(projection->getDimension());
-            projection->project(ompl_mfa::makeState(space, kind, pose).get(), position);
+            projection->project(ompl_mfa::benchmark::makeState(space, kind, pose).get(), position);
             EXPECT_EQ(position[0], 1.0);
             EXPECT_EQ(position[1], -2.0);
         }
@@ -177,9 +177,9 @@ namespace
         pose.x = 1.5;
         pose.z = 3.0;
         pose.theta = 0.5;
-        EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::R2, pose), "(1.5, 0)");
-        EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::R3, pose), "(1.5, 0, 3)");
-        EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::Dubins, pose), "(1.5, 0, theta 0.5)");
-        EXPECT_EQ(ompl_mfa::describePose(StateSpaceKind::SE3, pose), "(1.5, 0, 3, theta 0.5)");
+        EXPECT_EQ(ompl_mfa::benchmark::describePose(StateSpaceKind::R2, pose), "(1.5, 0)");
+        EXPECT_EQ(ompl_mfa::benchmark::describePose(StateSpaceKind::R3, pose), "(1.5, 0, 3)");
+        EXPECT_EQ(ompl_mfa::benchmark::describePose(StateSpaceKind::Dubins, pose), "(1.5, 0, theta 0.5)");
+        EXPECT_EQ(ompl_mfa::benchmark::describePose(StateSpaceKind::SE3, pose), "(1.5, 0, 3, theta 0.5)");
     }
 }  // namespace

@@ -40,7 +40,7 @@
 
 #include <gtest/gtest.h>
 
-using ompl_mfa::RunRecord;
+using ompl_mfa::benchmark::RunRecord;
 
 namespace
 {
@@ -50,7 +50,7 @@ namespace
         record.planner = "geometric_A";
         record.run = run;
         record.seed = 2147483647u;
-        record.termination = ompl_mfa::RunTermination::Signal;
+        record.termination = ompl_mfa::campaign::RunTermination::Signal;
         record.signal = 11;
         record.message = "line one\nbytes \xff\xfe";
         record.properties = {{"time REAL", "inf"}, {"status ENUM", "7"}};
@@ -67,9 +67,9 @@ namespace
 TEST(RunRecord, ComesBackAsItWas)
 {
     const RunRecord before = someRecord(3);
-    const std::string line = ompl_mfa::writeRunRecord(before);
+    const std::string line = ompl_mfa::benchmark::writeRunRecord(before);
     EXPECT_EQ(line.find('\n'), std::string::npos);
-    const RunRecord after = ompl_mfa::readRunRecord(line);
+    const RunRecord after = ompl_mfa::benchmark::readRunRecord(line);
     EXPECT_EQ(after.planner, before.planner);
     EXPECT_EQ(after.run, before.run);
     EXPECT_EQ(after.seed, before.seed);
@@ -85,6 +85,6 @@ TEST(RunRecord, ComesBackAsItWas)
     EXPECT_EQ(after.progress[1].values, before.progress[1].values);
     EXPECT_EQ(after.path, before.path);
     EXPECT_EQ(after.pathCost, before.pathCost);
-    EXPECT_THROW(ompl_mfa::readRunRecord("{}"), std::invalid_argument);
-    EXPECT_THROW(ompl_mfa::readRunRecord(line.substr(0, line.size() / 2)), std::invalid_argument);
+    EXPECT_THROW(ompl_mfa::benchmark::readRunRecord("{}"), std::invalid_argument);
+    EXPECT_THROW(ompl_mfa::benchmark::readRunRecord(line.substr(0, line.size() / 2)), std::invalid_argument);
 }

@@ -40,8 +40,8 @@
 
 #include <gtest/gtest.h>
 
-using ompl_mfa::RunRecord;
-using ompl_mfa::RunTermination;
+using ompl_mfa::campaign::RunTermination;
+using ompl_mfa::benchmark::RunRecord;
 
 TEST(RunText, SaysWhatCameOut)
 {

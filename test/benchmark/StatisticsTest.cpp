@@ -55,6 +55,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using namespace ompl_mfa;
+using namespace ompl_mfa::benchmark;
 using namespace ompl_mfa_test;
 
 namespace

@@ -59,10 +59,11 @@ int main()
         "volume.max.y = 1\n"
         "[planner]\n"
         "mfa =\n");
-    ompl_mfa::setRandomSeed(1);
-    const ompl_mfa::ProblemFactory problem(ompl_mfa::parseBenchmarkConfig(config, "empty.cfg"));
+    ompl_mfa::benchmark::setRandomSeed(1);
+    const ompl_mfa::benchmark::ProblemFactory problem(ompl_mfa::benchmark::parseBenchmarkConfig(config, "empty.cfg"));
     const auto setup = problem.create();
-    setup->setPlanner(ompl_mfa::createPlanner(setup->getSpaceInformation(), problem.config().planners.front()));
+    setup->setPlanner(
+        ompl_mfa::benchmark::createPlanner(setup->getSpaceInformation(), problem.config().planners.front()));
     const bool solved = setup->solve(0.5) == ompl::base::PlannerStatus::EXACT_SOLUTION;
     return solved && setup->getSolutionPath().length() < 1.0 + 1e-6 ? 0 : 1;
 }

@@ -90,7 +90,7 @@ namespace ompl_mfa::test
         {
             si->setStateValidityChecker(isValid);
             si->setStateValidityChecker(
-                std::make_shared<CountingValidityChecker>(si, si->getStateValidityChecker(), states));
+                std::make_shared<path::CountingValidityChecker>(si, si->getStateValidityChecker(), states));
             si->setMotionValidator(std::make_shared<CountingMotionValidator>(si, motions));
             si->setup();
         }

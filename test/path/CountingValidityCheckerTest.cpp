@@ -110,7 +110,7 @@ namespace ompl_mfa::test
 
         TEST_F(CountingValidityCheckerTest, PassesEveryQuestionOnAndCountsChecksOnce)
         {
-            const CountingValidityChecker checker(si_, std::make_shared<Witness>(si_));
+            const path::CountingValidityChecker checker(si_, std::make_shared<Witness>(si_));
             double distance = 0.0;
             bool available = false;
             EXPECT_TRUE(checker.isValid(state_.get()));
@@ -131,7 +131,7 @@ namespace ompl_mfa::test
 
         TEST_F(CountingValidityCheckerTest, HasTheSpecsOfTheCheckerThatItCounts)
         {
-            const CountingValidityChecker checker(si_, std::make_shared<Witness>(si_));
+            const path::CountingValidityChecker checker(si_, std::make_shared<Witness>(si_));
             EXPECT_EQ(checker.getSpecs().clearanceComputationType, ob::StateValidityCheckerSpecs::EXACT);
             EXPECT_TRUE(checker.getSpecs().hasValidDirectionComputation);
         }
@@ -139,7 +139,7 @@ namespace ompl_mfa::test
         TEST_F(CountingValidityCheckerTest, CountsWhereItIsToldTo)
         {
             std::atomic<std::uint64_t> count{7};
-            const CountingValidityChecker checker(si_, std::make_shared<Witness>(si_), count);
+            const path::CountingValidityChecker checker(si_, std::make_shared<Witness>(si_), count);
             checker.isValid(state_.get());
             EXPECT_EQ(count, 8u);
             EXPECT_EQ(checker.checks(), 8u);
@@ -150,7 +150,7 @@ namespace ompl_mfa::test
         TEST_F(CountingValidityCheckerTest, MissesNoCheckOfAnyThread)
         {
             constexpr std::uint64_t CHECKS = 20000;
-            const CountingValidityChecker checker(si_, std::make_shared<Witness>(si_));
+            const path::CountingValidityChecker checker(si_, std::make_shared<Witness>(si_));
             std::vector<std::thread> threads;
             for (int i = 0; i < 4; ++i)
             {

@@ -119,7 +119,7 @@ namespace ompl_mfa::test
                     return isValid(state);
                 });
             si->setStateValidityChecker(
-                std::make_shared<CountingValidityChecker>(si, si->getStateValidityChecker(), states));
+                std::make_shared<path::CountingValidityChecker>(si, si->getStateValidityChecker(), states));
             if (wholeMotions)
                 si->setMotionValidator(std::make_shared<WholeMotionValidator>(si));
             si->setup();

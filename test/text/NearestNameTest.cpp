@@ -40,18 +40,18 @@
 
 #include "ompl_mfa/InputError.h"
 
-using ompl_mfa::describeUnknown;
-using ompl_mfa::requireKnown;
+using ompl_mfa::text::describeUnknown;
+using ompl_mfa::text::requireKnown;
 
 TEST(NearestName, IsTheLeastEditedOne)
 {
     const std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm", "prmstar"};
-    EXPECT_EQ(ompl_mfa::nearestName("rrtconect", known), "rrtconnect");
-    EXPECT_EQ(ompl_mfa::nearestName("prm*", known), "prm");
-    EXPECT_EQ(ompl_mfa::nearestName("rttstar", known), "rrtstar");
-    EXPECT_EQ(ompl_mfa::nearestName("rrt", known), "rrtstar");
-    EXPECT_EQ(ompl_mfa::nearestName("", known), "");
-    EXPECT_EQ(ompl_mfa::nearestName("zzzzzzzzzzzzzzzz", known), "");
+    EXPECT_EQ(ompl_mfa::text::nearestName("rrtconect", known), "rrtconnect");
+    EXPECT_EQ(ompl_mfa::text::nearestName("prm*", known), "prm");
+    EXPECT_EQ(ompl_mfa::text::nearestName("rttstar", known), "rrtstar");
+    EXPECT_EQ(ompl_mfa::text::nearestName("rrt", known), "rrtstar");
+    EXPECT_EQ(ompl_mfa::text::nearestName("", known), "");
+    EXPECT_EQ(ompl_mfa::text::nearestName("zzzzzzzzzzzzzzzz", known), "");
 }
 
 TEST(NearestName, GuessesOnlyWhatIsClose)
@@ -66,11 +66,11 @@ TEST(NearestName, GuessesOnlyWhatIsClose)
 TEST(NearestName, AllAreAcceptedWhereTheyAreFewOrNoneIsNear)
 {
     std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm"};
-    EXPECT_EQ(ompl_mfa::suggestion("prn", known), "; did you mean 'prm'? accepted: rrtconnect, rrtstar, prm");
+    EXPECT_EQ(ompl_mfa::text::suggestion("prn", known), "; did you mean 'prm'? accepted: rrtconnect, rrtstar, prm");
     while (known.size() <= 10)
         known.push_back("a" + std::to_string(known.size()));
-    EXPECT_EQ(ompl_mfa::suggestion("prn", known), "; did you mean 'prm'?");
-    EXPECT_EQ(ompl_mfa::suggestion("zzzzzz", known),
+    EXPECT_EQ(ompl_mfa::text::suggestion("prn", known), "; did you mean 'prm'?");
+    EXPECT_EQ(ompl_mfa::text::suggestion("zzzzzz", known),
               "; accepted: rrtconnect, rrtstar, prm, a3, a4, a5, a6, a7, a8, a9, a10");
 }
 

@@ -46,7 +46,7 @@
 
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief Properties as OMPL's logs have them: "words TYPE" and a value. */
     using LogProperties = std::map<std::string, std::string>;
@@ -109,6 +109,6 @@ namespace ompl_mfa
 
     /** \brief As above, replacing \e file at once when all is written. Throws InputError when it cannot be written. */
     OMPL_MFA_EXPORT void writeBenchmarkLog(const std::filesystem::path &file, const BenchmarkLog &log);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

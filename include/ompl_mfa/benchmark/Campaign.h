@@ -52,7 +52,7 @@
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief What is the same for every run of a campaign. */
     struct RunSettings
@@ -178,6 +178,6 @@ namespace ompl_mfa
         campaign NAME.I-of-N.log. Folders that do not exist are made by Campaign::run(). */
     OMPL_MFA_EXPORT std::filesystem::path logFile(const BenchmarkConfig &config, unsigned int shard,
                                                   unsigned int shards);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -50,7 +50,7 @@
 #include "ompl_mfa/benchmark/ConfigLines.h"
 #include "ompl_mfa/collision/FclMotionValidator.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief The state space of a problem. It follows from the keys of start and goal and from `statespace`. */
     enum class StateSpaceKind
@@ -237,6 +237,6 @@ namespace ompl_mfa
         environment variable OMPL_MFA_RESOURCE_DIR names, separated by colons. Throws InputError listing these places
        when it is in none. */
     OMPL_MFA_EXPORT std::filesystem::path findResource(const BenchmarkConfig &config, const ConfigEntry &entry);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

@@ -44,7 +44,7 @@
 
 #include "ompl_mfa/Export.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief One `key = value` as it was written, with the place that an error about it has to name. */
     struct ConfigEntry
@@ -89,6 +89,6 @@ namespace ompl_mfa
 
     /** \brief Throws InputError: "ORIGIN: KEY = VALUE: \e message". */
     [[noreturn]] OMPL_MFA_EXPORT void failAt(const ConfigEntry &entry, const std::string &message);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

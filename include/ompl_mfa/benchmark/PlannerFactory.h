@@ -47,7 +47,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/ConfigFile.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief A parameter that a planner declares. */
     struct PlannerParameter
@@ -83,6 +83,6 @@ namespace ompl_mfa
 
     /** \brief Sets the planner's own `seed` parameter; does nothing to a planner that has none. */
     OMPL_MFA_EXPORT void seedPlanner(ompl::base::Planner &planner, std::uint_fast32_t seed);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

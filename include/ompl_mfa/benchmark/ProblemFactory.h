@@ -47,7 +47,7 @@
 #include "ompl_mfa/collision/RigidBody.h"
 #include "ompl_mfa/collision/Scene.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::benchmark
 {
     /** \brief Makes ready problems of one config. World and robot are loaded once and shared by all of them. */
     class OMPL_MFA_EXPORT ProblemFactory
@@ -93,6 +93,6 @@ namespace ompl_mfa
     /** \brief Seeds OMPL; runs repeat when this comes before the first random number generator of the process. Throws
         InputError for 0, which OMPL does not accept. */
     OMPL_MFA_EXPORT void setRandomSeed(std::uint_fast32_t seed);
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::benchmark
 
 #endif

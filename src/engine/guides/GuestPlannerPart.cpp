@@ -97,7 +97,7 @@ namespace ompl_mfa::engine::guides
               , count_(count)
             {
                 setStateValidityChecker(
-                    std::make_shared<CountingValidityChecker>(user, user->getStateValidityChecker(), *count_));
+                    std::make_shared<path::CountingValidityChecker>(user, user->getStateValidityChecker(), *count_));
                 setMotionValidator(std::make_shared<CountingValidator>(user, count));
                 setValidStateSamplerAllocator([user](const ob::SpaceInformation *)
                                               { return user->allocValidStateSampler(); });
