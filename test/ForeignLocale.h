@@ -45,7 +45,7 @@
 #include <locale>
 #include <string>
 
-namespace ompl_mfa_test
+namespace ompl_mfa::test
 {
     /** \brief Writes 1234.5 as 1.234,5 as German does. */
     class GermanPunctuation : public std::numpunct<char>
@@ -159,6 +159,6 @@ namespace ompl_mfa_test
                                       ("ompl_mfa_locale_" + std::to_string(getpid()))};
         bool isThere_;
     };
-}  // namespace ompl_mfa_test
+}  // namespace ompl_mfa::test
 
 #endif

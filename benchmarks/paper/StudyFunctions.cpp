@@ -45,7 +45,7 @@
 #include "paper/StudyRuns.h"
 
 using ompl_mfa::FireflyOptimizer;
-using ompl_mfa::TestFunction;
+using ompl_mfa::optimizer::TestFunction;
 
 namespace
 {

@@ -55,186 +55,188 @@
 #include "ompl_mfa/benchmark/Campaign.h"
 #include "text/NumberText.h"
 
-namespace
+namespace ompl_mfa::cli
 {
-    using ompl_mfa::cli::finiteOrNull;
-
-    constexpr int SIGNAL_STATUS = 128;
-    /* Of the property `termination`. */
-    const char *const RETURNED = "0";
-    constexpr double LONGEST_GRACE = 1e9;
-    const char *const ACCEPTED_GRACE = "a number from 0 to 1e9 (seconds)";
-
-    struct Options
+    namespace
     {
-        std::string config;
-        std::string output;
-        std::string shard;
-        ompl_mfa::benchmark::CampaignOptions campaign;
-        bool quiet{false};
-        bool json{false};
-    };
+        using cli::finiteOrNull;
 
-    /** \brief The runs of one planner, in numbers. */
-    struct PlannerSummary
-    {
-        std::string name;
-        std::size_t runs{0};
-        std::size_t solved{0};
-        /** \brief Runs that did not return by themselves. */
-        std::size_t ended{0};
-        std::vector<double> firstSolutions;
-        std::vector<double> costs;
-        std::vector<double> simplifiedCosts;
-    };
+        constexpr int SIGNAL_STATUS = 128;
+        /* Of the property `termination`. */
+        const char *const RETURNED = "0";
+        constexpr double LONGEST_GRACE = 1e9;
+        const char *const ACCEPTED_GRACE = "a number from 0 to 1e9 (seconds)";
 
-    std::string propertyOf(const ompl_mfa::benchmark::LogProperties &run, const std::string &property)
-    {
-        const auto found = run.find(property);
-        return found == run.end() ? "" : found->second;
-    }
-
-    void addFinite(std::vector<double> &values, const ompl_mfa::benchmark::LogProperties &run,
-                   const std::string &property)
-    {
-        double value = 0.0;
-        if (ompl_mfa::text::readNumber(propertyOf(run, property), value) && std::isfinite(value))
-            values.push_back(value);
-    }
-
-    std::vector<PlannerSummary> summarize(const ompl_mfa::benchmark::BenchmarkLog &log)
-    {
-        std::vector<PlannerSummary> summaries;
-        for (const auto &planner : log.planners)
+        struct Options
         {
-            PlannerSummary summary;
-            summary.name = planner.name.substr(planner.name.find('_') + 1);
-            for (const auto &run : planner.runs)
+            std::string config;
+            std::string output;
+            std::string shard;
+            benchmark::CampaignOptions campaign;
+            bool quiet{false};
+            bool json{false};
+        };
+
+        /** \brief The runs of one planner, in numbers. */
+        struct PlannerSummary
+        {
+            std::string name;
+            std::size_t runs{0};
+            std::size_t solved{0};
+            /** \brief Runs that did not return by themselves. */
+            std::size_t ended{0};
+            std::vector<double> firstSolutions;
+            std::vector<double> costs;
+            std::vector<double> simplifiedCosts;
+        };
+
+        std::string propertyOf(const benchmark::LogProperties &run, const std::string &property)
+        {
+            const auto found = run.find(property);
+            return found == run.end() ? "" : found->second;
+        }
+
+        void addFinite(std::vector<double> &values, const benchmark::LogProperties &run, const std::string &property)
+        {
+            double value = 0.0;
+            if (text::readNumber(propertyOf(run, property), value) && std::isfinite(value))
+                values.push_back(value);
+        }
+
+        std::vector<PlannerSummary> summarize(const benchmark::BenchmarkLog &log)
+        {
+            std::vector<PlannerSummary> summaries;
+            for (const auto &planner : log.planners)
             {
-                ++summary.runs;
-                summary.solved += propertyOf(run, "solved BOOLEAN") == "1" ? 1 : 0;
-                summary.ended += propertyOf(run, "termination ENUM") == RETURNED ? 0 : 1;
-                addFinite(summary.firstSolutions, run, "time to first solution REAL");
-                addFinite(summary.costs, run, "path cost REAL");
-                addFinite(summary.simplifiedCosts, run, "simplified path cost REAL");
+                PlannerSummary summary;
+                summary.name = planner.name.substr(planner.name.find('_') + 1);
+                for (const auto &run : planner.runs)
+                {
+                    ++summary.runs;
+                    summary.solved += propertyOf(run, "solved BOOLEAN") == "1" ? 1 : 0;
+                    summary.ended += propertyOf(run, "termination ENUM") == RETURNED ? 0 : 1;
+                    addFinite(summary.firstSolutions, run, "time to first solution REAL");
+                    addFinite(summary.costs, run, "path cost REAL");
+                    addFinite(summary.simplifiedCosts, run, "simplified path cost REAL");
+                }
+                summaries.push_back(summary);
             }
-            summaries.push_back(summary);
+            return summaries;
         }
-        return summaries;
-    }
 
-    double median(std::vector<double> values)
-    {
-        if (values.empty())
-            return NAN;
-        std::sort(values.begin(), values.end());
-        return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
-    }
-
-    double mean(const std::vector<double> &values)
-    {
-        double sum = 0.0;
-        for (const double value : values)
-            sum += value;
-        return values.empty() ? NAN : sum / static_cast<double>(values.size());
-    }
-
-    std::string cell(double value)
-    {
-        return std::isfinite(value) ? ompl_mfa::text::numberText(value, 4) : "-";
-    }
-
-    void printTable(const std::vector<PlannerSummary> &summaries)
-    {
-        std::printf("%-20s %6s %7s %7s %16s %12s %12s\n", "planner", "runs", "solved", "killed", "first solution s",
-                    "mean cost", "simplified");
-        for (const auto &summary : summaries)
+        double median(std::vector<double> values)
         {
-            std::printf("%-20s %6zu %7zu %7zu %16s %12s %12s\n", summary.name.c_str(), summary.runs, summary.solved,
-                        summary.ended, cell(median(summary.firstSolutions)).c_str(), cell(mean(summary.costs)).c_str(),
-                        cell(mean(summary.simplifiedCosts)).c_str());
+            if (values.empty())
+                return NAN;
+            std::sort(values.begin(), values.end());
+            return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
         }
-    }
 
-    void printJson(const std::string &log, const std::vector<PlannerSummary> &summaries)
-    {
-        nlohmann::json document{{"log", log}, {"planners", nlohmann::json::array()}};
-        for (const auto &summary : summaries)
+        double mean(const std::vector<double> &values)
         {
-            document["planners"].push_back({{"planner", summary.name},
-                                            {"runs", summary.runs},
-                                            {"solved", summary.solved},
-                                            {"ended_from_outside", summary.ended},
-                                            {"first_solution_median", finiteOrNull(median(summary.firstSolutions))},
-                                            {"cost_mean", finiteOrNull(mean(summary.costs))},
-                                            {"simplified_cost_mean", finiteOrNull(mean(summary.simplifiedCosts))}});
+            double sum = 0.0;
+            for (const double value : values)
+                sum += value;
+            return values.empty() ? NAN : sum / static_cast<double>(values.size());
         }
-        ompl_mfa::cli::printDocument(document);
-    }
 
-    void readShard(const std::string &text, ompl_mfa::benchmark::CampaignOptions &options)
-    {
-        if (text.empty())
-            return;
-        const std::size_t slash = text.find('/');
-        if (slash == std::string::npos || !ompl_mfa::text::readNumber(text.substr(0, slash), options.shard) ||
-            !ompl_mfa::text::readNumber(text.substr(slash + 1), options.shards) || options.shard < 1 ||
-            options.shard > options.shards)
+        std::string cell(double value)
         {
-            throw ompl_mfa::InputError("--shard " + text + ": accepted is I/N with 1 <= I <= N, such as 2/8");
+            return std::isfinite(value) ? text::numberText(value, 4) : "-";
         }
-    }
 
-    void runBenchmark(Options options, bool graceGiven)
-    {
-        readShard(options.shard, options.campaign);
-        if (graceGiven && !(options.campaign.grace >= 0.0 && options.campaign.grace <= LONGEST_GRACE))
-            throw ompl_mfa::InputError("--grace " + ompl_mfa::text::numberText(options.campaign.grace) + ": expected " +
-                                       ACCEPTED_GRACE);
-        const ompl_mfa::benchmark::BenchmarkConfig config = ompl_mfa::benchmark::readBenchmarkConfig(options.config);
-        const ompl_mfa::benchmark::Campaign campaign = ompl_mfa::benchmark::makeCampaign(config);
-        campaign.validate();
-        options.campaign.log =
-            options.output.empty()
-                ? ompl_mfa::benchmark::logFile(config, options.campaign.shard, options.campaign.shards)
-                : ompl_mfa::benchmark::writtenPath(options.output, "--output " + options.output);
-        options.campaign.progress = options.quiet ? nullptr : &std::cerr;
-        options.campaign.terminal = isatty(STDERR_FILENO) != 0;
-
-        const ompl_mfa::benchmark::CampaignResult result = campaign.run(options.campaign);
-        const auto summaries = summarize(result.log);
-        if (options.json)
-            printJson(options.campaign.log.string(), summaries);
-        else
-            printTable(summaries);
-        std::cerr << "log: " << options.campaign.log.string() << std::endl;
-        if (result.interruptedBy != 0)
+        void printTable(const std::vector<PlannerSummary> &summaries)
         {
-            std::cerr << "stopped with " << result.missing << " runs to go; --resume continues" << std::endl;
-            throw CLI::RuntimeError(SIGNAL_STATUS + result.interruptedBy);
+            std::printf("%-20s %6s %7s %7s %16s %12s %12s\n", "planner", "runs", "solved", "killed", "first solution s",
+                        "mean cost", "simplified");
+            for (const auto &summary : summaries)
+            {
+                std::printf("%-20s %6zu %7zu %7zu %16s %12s %12s\n", summary.name.c_str(), summary.runs, summary.solved,
+                            summary.ended, cell(median(summary.firstSolutions)).c_str(),
+                            cell(mean(summary.costs)).c_str(), cell(mean(summary.simplifiedCosts)).c_str());
+            }
         }
-    }
-}  // namespace
 
-void ompl_mfa::cli::addBenchmarkCommand(CLI::App &app)
-{
-    const auto options = std::make_shared<Options>();
-    auto *command = app.add_subcommand("benchmark", "Run the planners of an OMPL benchmark config and write a log");
-    command->add_option("config", options->config, "OMPL benchmark config (.cfg)")->required();
-    command->add_option("--output", options->output, "The log; without it NAME.log where benchmark.output says");
-    command->add_option("--jobs", options->campaign.jobs, "Runs at the same time")
-        ->check(CLI::Range(1, 4096))
-        ->capture_default_str();
-    command->add_option("--shard", options->shard, "Make only part I of N, as I/N; 'ompl_mfa merge' joins the parts");
-    auto *grace = addNumberOption(*command, "--grace", options->campaign.grace,
-                                  "Seconds after the time limit at which a planner that has not returned is killed "
-                                  "(default: 1 and a tenth of the limit)",
-                                  ACCEPTED_GRACE);
-    auto *resume =
-        command->add_flag("--resume", options->campaign.resume, "Make only the runs that an earlier call did not");
-    command->add_flag("--overwrite", options->campaign.overwrite, "Drop the runs of an interrupted campaign")
-        ->excludes(resume);
-    command->add_flag("--quiet", options->quiet, "Show no progress");
-    command->add_flag("--json", options->json, "Print one JSON document");
-    command->callback([options, grace] { runBenchmark(*options, grace->count() > 0); });
-}
+        void printJson(const std::string &log, const std::vector<PlannerSummary> &summaries)
+        {
+            nlohmann::json document{{"log", log}, {"planners", nlohmann::json::array()}};
+            for (const auto &summary : summaries)
+            {
+                document["planners"].push_back({{"planner", summary.name},
+                                                {"runs", summary.runs},
+                                                {"solved", summary.solved},
+                                                {"ended_from_outside", summary.ended},
+                                                {"first_solution_median", finiteOrNull(median(summary.firstSolutions))},
+                                                {"cost_mean", finiteOrNull(mean(summary.costs))},
+                                                {"simplified_cost_mean", finiteOrNull(mean(summary.simplifiedCosts))}});
+            }
+            cli::printDocument(document);
+        }
+
+        void readShard(const std::string &text, benchmark::CampaignOptions &options)
+        {
+            if (text.empty())
+                return;
+            const std::size_t slash = text.find('/');
+            if (slash == std::string::npos || !text::readNumber(text.substr(0, slash), options.shard) ||
+                !text::readNumber(text.substr(slash + 1), options.shards) || options.shard < 1 ||
+                options.shard > options.shards)
+            {
+                throw InputError("--shard " + text + ": accepted is I/N with 1 <= I <= N, such as 2/8");
+            }
+        }
+
+        void runBenchmark(Options options, bool graceGiven)
+        {
+            readShard(options.shard, options.campaign);
+            if (graceGiven && !(options.campaign.grace >= 0.0 && options.campaign.grace <= LONGEST_GRACE))
+                throw InputError("--grace " + text::numberText(options.campaign.grace) + ": expected " +
+                                 ACCEPTED_GRACE);
+            const benchmark::BenchmarkConfig config = benchmark::readBenchmarkConfig(options.config);
+            const benchmark::Campaign campaign = benchmark::makeCampaign(config);
+            campaign.validate();
+            options.campaign.log = options.output.empty()
+                                       ? benchmark::logFile(config, options.campaign.shard, options.campaign.shards)
+                                       : benchmark::writtenPath(options.output, "--output " + options.output);
+            options.campaign.progress = options.quiet ? nullptr : &std::cerr;
+            options.campaign.terminal = isatty(STDERR_FILENO) != 0;
+
+            const benchmark::CampaignResult result = campaign.run(options.campaign);
+            const auto summaries = summarize(result.log);
+            if (options.json)
+                printJson(options.campaign.log.string(), summaries);
+            else
+                printTable(summaries);
+            std::cerr << "log: " << options.campaign.log.string() << std::endl;
+            if (result.interruptedBy != 0)
+            {
+                std::cerr << "stopped with " << result.missing << " runs to go; --resume continues" << std::endl;
+                throw CLI::RuntimeError(SIGNAL_STATUS + result.interruptedBy);
+            }
+        }
+    }  // namespace
+
+    void addBenchmarkCommand(CLI::App &app)
+    {
+        const auto options = std::make_shared<Options>();
+        auto *command = app.add_subcommand("benchmark", "Run the planners of an OMPL benchmark config and write a log");
+        command->add_option("config", options->config, "OMPL benchmark config (.cfg)")->required();
+        command->add_option("--output", options->output, "The log; without it NAME.log where benchmark.output says");
+        command->add_option("--jobs", options->campaign.jobs, "Runs at the same time")
+            ->check(CLI::Range(1, 4096))
+            ->capture_default_str();
+        command->add_option("--shard", options->shard,
+                            "Make only part I of N, as I/N; 'ompl_mfa merge' joins the parts");
+        auto *grace = addNumberOption(*command, "--grace", options->campaign.grace,
+                                      "Seconds after the time limit at which a planner that has not returned is killed "
+                                      "(default: 1 and a tenth of the limit)",
+                                      ACCEPTED_GRACE);
+        auto *resume =
+            command->add_flag("--resume", options->campaign.resume, "Make only the runs that an earlier call did not");
+        command->add_flag("--overwrite", options->campaign.overwrite, "Drop the runs of an interrupted campaign")
+            ->excludes(resume);
+        command->add_flag("--quiet", options->quiet, "Show no progress");
+        command->add_flag("--json", options->json, "Print one JSON document");
+        command->callback([options, grace] { runBenchmark(*options, grace->count() > 0); });
+    }
+}  // namespace ompl_mfa::cli

@@ -58,219 +58,221 @@
 #include "ompl_mfa/collision/PlanarOutline.h"
 #include "text/NumberText.h"
 
-namespace
+namespace ompl_mfa::cli
 {
-    namespace ob = ompl::base;
-    using ompl_mfa::benchmark::BenchmarkConfig;
-    using ompl_mfa::benchmark::ProblemFactory;
-
-    /* Significant digits of what is printed. */
-    constexpr int DIGITS = 6;
-    constexpr int CHECK_TIME_DIGITS = 2;
-
-    struct Options
+    namespace
     {
-        std::string file;
-        bool json{false};
-    };
+        namespace ob = ompl::base;
+        using benchmark::BenchmarkConfig;
+        using benchmark::ProblemFactory;
 
-    /** \brief The motion straight from start to goal. */
-    struct StraightMotion
-    {
-        bool free{false};
-        /** \brief Part of the motion that is known to be free, in [0, 1]. */
-        double freeFraction{0.0};
-        double length{0.0};
-    };
+        /* Significant digits of what is printed. */
+        constexpr int DIGITS = 6;
+        constexpr int CHECK_TIME_DIGITS = 2;
 
-    StraightMotion straightMotion(const ompl::geometric::SimpleSetup &setup)
-    {
-        const auto &si = setup.getSpaceInformation();
-        const ob::State *start = setup.getProblemDefinition()->getStartState(0);
-        const ob::State *goal = setup.getGoal()->as<ob::GoalState>()->getState();
-        std::pair<ob::State *, double> lastValid(nullptr, 0.0);
-        StraightMotion motion;
-        motion.free = si->checkMotion(start, goal, lastValid);
-        motion.freeFraction = motion.free ? 1.0 : lastValid.second;
-        motion.length = si->distance(start, goal);
-        return motion;
-    }
-
-    /** \brief What the check of a valid state takes, in microseconds: of several rounds over uniform states the
-        quickest, since other programs can only make one slower. */
-    double stateCheckTime(const ompl::base::SpaceInformation &si)
-    {
-        constexpr unsigned int STATES = 200;
-        constexpr unsigned int ROUNDS = 10;
-        constexpr double SHORTEST_ROUND = 1e-3;
-        std::vector<ob::State *> states(STATES);
-        si.allocStates(states);
-        const auto sampler = si.allocStateSampler();
-        // a planner checks far more states that are valid than such as are not
-        for (ob::State *state : states)
+        struct Options
         {
-            constexpr unsigned int TRIES = 100;
-            for (unsigned int i = 0; i == 0 || (i < TRIES && !si.isValid(state)); ++i)
-                sampler->sampleUniform(state);
-        }
-        double best = std::numeric_limits<double>::infinity();
-        for (unsigned int round = 0; round < ROUNDS; ++round)
-        {
-            std::size_t checks = 0;
-            double seconds = 0.0;
-            const auto begin = std::chrono::steady_clock::now();
-            while (seconds < SHORTEST_ROUND)
-            {
-                for (const ob::State *state : states)
-                    si.isValid(state);
-                checks += STATES;
-                seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-            }
-            best = std::min(best, seconds / static_cast<double>(checks));
-        }
-        si.freeStates(states);
-        return 1e6 * best;
-    }
-
-    /** \brief Makes and sets up every planner of the config: what would fail in a campaign fails here. */
-    void checkPlanners(const ProblemFactory &factory)
-    {
-        for (const auto &spec : factory.config().planners)
-        {
-            const auto setup = factory.create(spec);
-            try
-            {
-                setup->setup();
-            }
-            catch (const std::exception &error)
-            {
-                throw ompl_mfa::InputError(spec.origin + ": planner '" + spec.type +
-                                           "' cannot be set up for this problem: " + error.what());
-            }
-        }
-    }
-
-    nlohmann::json describeBox(const fcl::AABBd &box)
-    {
-        return {{"min", {box.min_[0], box.min_[1], box.min_[2]}}, {"max", {box.max_[0], box.max_[1], box.max_[2]}}};
-    }
-
-    /** \brief A robot in the plane moves at z = 0; a world that stands elsewhere is no obstacle to it. */
-    std::vector<std::string> warnings(const ProblemFactory &factory)
-    {
-        const ompl_mfa::benchmark::ProblemConfig &problem = factory.config().problem;
-        const auto &objects = factory.world().objects();
-        const fcl::AABBd robot = factory.robot().bounds();
-        const bool isReached =
-            std::any_of(objects.begin(), objects.end(),
-                        [&robot](const ompl_mfa::collision::CollisionObject &object)
-                        { return ompl_mfa::collision::reachesHeights(object, robot.min_[2], robot.max_[2]); });
-        if (ompl_mfa::benchmark::positionDimension(problem.space) == 3 || objects.empty() || isReached)
-            return {};
-        const auto number = [](double value) { return ompl_mfa::text::numberText(value, DIGITS); };
-        const fcl::AABBd world = factory.world().bounds();
-        return {problem.world->origin + ": problem.world = " + problem.world->value + ": nothing of it reaches the " +
-                "heights of the planar robot, z = " + number(robot.min_[2]) + " to " + number(robot.max_[2]) +
-                ", so that there is nothing to collide with; the world's box is from z = " + number(world.min_[2]) +
-                " to " + number(world.max_[2])};
-    }
-
-    nlohmann::json describe(const ProblemFactory &factory, const ompl::geometric::SimpleSetup &setup)
-    {
-        const BenchmarkConfig &config = factory.config();
-        const StraightMotion motion = straightMotion(setup);
-        nlohmann::json planners = nlohmann::json::array();
-        for (const auto &spec : config.planners)
-            planners.push_back({{"type", spec.type}, {"name", spec.name}});
-        return {
-            {"problem", config.problem.name},
-            {"space", ompl_mfa::benchmark::spaceName(config.problem.space)},
-            {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
-            {"obstacles", factory.world().objects().size()},
-            {"robot", config.problem.robot.value},
-            {"world_box", factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds())},
-            {"robot_radius", factory.robot().radius()},
-            {"robot_box", describeBox(factory.robot().bounds())},
-            {"world_skipped_faces", factory.world().skippedFaces()},
-            {"robot_skipped_faces", factory.robot().skippedFaces()},
-            {"state_check_time", stateCheckTime(*setup.getSpaceInformation())},
-            {"warnings", warnings(factory)},
-            {"start_valid", true},
-            {"goal_valid", true},
-            {"straight_motion",
-             {{"free", motion.free}, {"free_fraction", motion.freeFraction}, {"length", motion.length}}},
-            {"planners", planners}};
-    }
-
-    std::string boxText(const nlohmann::json &box)
-    {
-        const auto corner = [](const nlohmann::json &point)
-        {
-            const auto number = [&point](int axis)
-            { return ompl_mfa::text::numberText(point[axis].get<double>(), DIGITS); };
-            return "(" + number(0) + ", " + number(1) + ", " + number(2) + ")";
+            std::string file;
+            bool json{false};
         };
-        return box.is_null() ? "none" : corner(box["min"]) + " to " + corner(box["max"]);
-    }
 
-    std::string skippedText(const nlohmann::json &faces)
+        /** \brief The motion straight from start to goal. */
+        struct StraightMotion
+        {
+            bool free{false};
+            /** \brief Part of the motion that is known to be free, in [0, 1]. */
+            double freeFraction{0.0};
+            double length{0.0};
+        };
+
+        StraightMotion straightMotion(const ompl::geometric::SimpleSetup &setup)
+        {
+            const auto &si = setup.getSpaceInformation();
+            const ob::State *start = setup.getProblemDefinition()->getStartState(0);
+            const ob::State *goal = setup.getGoal()->as<ob::GoalState>()->getState();
+            std::pair<ob::State *, double> lastValid(nullptr, 0.0);
+            StraightMotion motion;
+            motion.free = si->checkMotion(start, goal, lastValid);
+            motion.freeFraction = motion.free ? 1.0 : lastValid.second;
+            motion.length = si->distance(start, goal);
+            return motion;
+        }
+
+        /** \brief What the check of a valid state takes, in microseconds: of several rounds over uniform states the
+            quickest, since other programs can only make one slower. */
+        double stateCheckTime(const ompl::base::SpaceInformation &si)
+        {
+            constexpr unsigned int STATES = 200;
+            constexpr unsigned int ROUNDS = 10;
+            constexpr double SHORTEST_ROUND = 1e-3;
+            std::vector<ob::State *> states(STATES);
+            si.allocStates(states);
+            const auto sampler = si.allocStateSampler();
+            // a planner checks far more states that are valid than such as are not
+            for (ob::State *state : states)
+            {
+                constexpr unsigned int TRIES = 100;
+                for (unsigned int i = 0; i == 0 || (i < TRIES && !si.isValid(state)); ++i)
+                    sampler->sampleUniform(state);
+            }
+            double best = std::numeric_limits<double>::infinity();
+            for (unsigned int round = 0; round < ROUNDS; ++round)
+            {
+                std::size_t checks = 0;
+                double seconds = 0.0;
+                const auto begin = std::chrono::steady_clock::now();
+                while (seconds < SHORTEST_ROUND)
+                {
+                    for (const ob::State *state : states)
+                        si.isValid(state);
+                    checks += STATES;
+                    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+                }
+                best = std::min(best, seconds / static_cast<double>(checks));
+            }
+            si.freeStates(states);
+            return 1e6 * best;
+        }
+
+        /** \brief Makes and sets up every planner of the config: what would fail in a campaign fails here. */
+        void checkPlanners(const ProblemFactory &factory)
+        {
+            for (const auto &spec : factory.config().planners)
+            {
+                const auto setup = factory.create(spec);
+                try
+                {
+                    setup->setup();
+                }
+                catch (const std::exception &error)
+                {
+                    throw InputError(spec.origin + ": planner '" + spec.type +
+                                     "' cannot be set up for this problem: " + error.what());
+                }
+            }
+        }
+
+        nlohmann::json describeBox(const fcl::AABBd &box)
+        {
+            return {{"min", {box.min_[0], box.min_[1], box.min_[2]}}, {"max", {box.max_[0], box.max_[1], box.max_[2]}}};
+        }
+
+        /** \brief A robot in the plane moves at z = 0; a world that stands elsewhere is no obstacle to it. */
+        std::vector<std::string> warnings(const ProblemFactory &factory)
+        {
+            const benchmark::ProblemConfig &problem = factory.config().problem;
+            const auto &objects = factory.world().objects();
+            const fcl::AABBd robot = factory.robot().bounds();
+            const bool isReached =
+                std::any_of(objects.begin(), objects.end(),
+                            [&robot](const collision::CollisionObject &object)
+                            { return collision::reachesHeights(object, robot.min_[2], robot.max_[2]); });
+            if (benchmark::positionDimension(problem.space) == 3 || objects.empty() || isReached)
+                return {};
+            const auto number = [](double value) { return text::numberText(value, DIGITS); };
+            const fcl::AABBd world = factory.world().bounds();
+            return {problem.world->origin + ": problem.world = " + problem.world->value +
+                    ": nothing of it reaches the " + "heights of the planar robot, z = " + number(robot.min_[2]) +
+                    " to " + number(robot.max_[2]) +
+                    ", so that there is nothing to collide with; the world's box is from z = " + number(world.min_[2]) +
+                    " to " + number(world.max_[2])};
+        }
+
+        nlohmann::json describe(const ProblemFactory &factory, const ompl::geometric::SimpleSetup &setup)
+        {
+            const BenchmarkConfig &config = factory.config();
+            const StraightMotion motion = straightMotion(setup);
+            nlohmann::json planners = nlohmann::json::array();
+            for (const auto &spec : config.planners)
+                planners.push_back({{"type", spec.type}, {"name", spec.name}});
+            return {{"problem", config.problem.name},
+                    {"space", benchmark::spaceName(config.problem.space)},
+                    {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
+                    {"obstacles", factory.world().objects().size()},
+                    {"robot", config.problem.robot.value},
+                    {"world_box",
+                     factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds())},
+                    {"robot_radius", factory.robot().radius()},
+                    {"robot_box", describeBox(factory.robot().bounds())},
+                    {"world_skipped_faces", factory.world().skippedFaces()},
+                    {"robot_skipped_faces", factory.robot().skippedFaces()},
+                    {"state_check_time", stateCheckTime(*setup.getSpaceInformation())},
+                    {"warnings", warnings(factory)},
+                    {"start_valid", true},
+                    {"goal_valid", true},
+                    {"straight_motion",
+                     {{"free", motion.free}, {"free_fraction", motion.freeFraction}, {"length", motion.length}}},
+                    {"planners", planners}};
+        }
+
+        std::string boxText(const nlohmann::json &box)
+        {
+            const auto corner = [](const nlohmann::json &point)
+            {
+                const auto number = [&point](int axis) { return text::numberText(point[axis].get<double>(), DIGITS); };
+                return "(" + number(0) + ", " + number(1) + ", " + number(2) + ")";
+            };
+            return box.is_null() ? "none" : corner(box["min"]) + " to " + corner(box["max"]);
+        }
+
+        std::string skippedText(const nlohmann::json &faces)
+        {
+            return faces == 0 ? "" : ", " + std::to_string(faces.get<std::size_t>()) + " points and lines passed over";
+        }
+
+        void printText(const nlohmann::json &description)
+        {
+            const auto &motion = description["straight_motion"];
+            const text::PlainNumbers plainNumbers(std::cout);
+            std::cout << std::setprecision(DIGITS);
+            std::cout << "problem    " << description["problem"].get<std::string>() << "\n"
+                      << "space      " << description["space"].get<std::string>() << "\n"
+                      << "world      "
+                      << (description["world"].is_null() ? "empty" : oneLine(description["world"].get<std::string>()))
+                      << ", " << description["obstacles"] << " obstacles"
+                      << skippedText(description["world_skipped_faces"]) << "\n"
+                      << "world box  " << boxText(description["world_box"]) << "\n"
+                      << "robot      " << oneLine(description["robot"].get<std::string>()) << ", radius "
+                      << description["robot_radius"].get<double>() << skippedText(description["robot_skipped_faces"])
+                      << "\n"
+                      << "robot box  " << boxText(description["robot_box"]) << "\n"
+                      << "start      valid\n"
+                      << "goal       valid\n"
+                      << "straight   ";
+            if (motion["free"].get<bool>())
+                std::cout << "free, length " << motion["length"].get<double>() << "\n";
+            else
+                std::cout << "blocked after " << motion["free_fraction"].get<double>() << " of length "
+                          << motion["length"].get<double>() << "\n";
+            std::cout << "check      " << std::setprecision(CHECK_TIME_DIGITS)
+                      << description["state_check_time"].get<double>()
+                      << " microseconds a state; for planners of this project with a seed: mfa.state_check_time="
+                      << description["state_check_time"].get<double>() << "\n";
+            std::cout << "planners   " << description["planners"].size() << "\n";
+        }
+
+        void check(const Options &options)
+        {
+            const ProblemFactory factory(benchmark::readBenchmarkConfig(options.file));
+            benchmark::setRandomSeed(factory.config().benchmark.seed);
+            const auto setup = factory.create();
+            checkPlanners(factory);
+            const nlohmann::json description = describe(factory, *setup);
+            for (const auto &warning : description["warnings"])
+                std::cerr << "warning: " << oneLine(warning.get<std::string>()) << std::endl;
+            if (options.json)
+                cli::printDocument(description);
+            else
+                printText(description);
+        }
+    }  // namespace
+
+    void addCheckCommand(CLI::App &app)
     {
-        return faces == 0 ? "" : ", " + std::to_string(faces.get<std::size_t>()) + " points and lines passed over";
+        const auto options = std::make_shared<Options>();
+        auto *command = app.add_subcommand("check", "Validate a benchmark config without running it");
+        command->add_option("FILE", options->file, "A .cfg file")->required();
+        command->add_flag("--json", options->json, "Print one JSON document");
+        command->callback([options] { check(*options); });
     }
-
-    void printText(const nlohmann::json &description)
-    {
-        const auto &motion = description["straight_motion"];
-        const ompl_mfa::text::PlainNumbers plainNumbers(std::cout);
-        std::cout << std::setprecision(DIGITS);
-        std::cout << "problem    " << description["problem"].get<std::string>() << "\n"
-                  << "space      " << description["space"].get<std::string>() << "\n"
-                  << "world      "
-                  << (description["world"].is_null() ? "empty"
-                                                     : ompl_mfa::oneLine(description["world"].get<std::string>()))
-                  << ", " << description["obstacles"] << " obstacles" << skippedText(description["world_skipped_faces"])
-                  << "\n"
-                  << "world box  " << boxText(description["world_box"]) << "\n"
-                  << "robot      " << ompl_mfa::oneLine(description["robot"].get<std::string>()) << ", radius "
-                  << description["robot_radius"].get<double>() << skippedText(description["robot_skipped_faces"])
-                  << "\n"
-                  << "robot box  " << boxText(description["robot_box"]) << "\n"
-                  << "start      valid\n"
-                  << "goal       valid\n"
-                  << "straight   ";
-        if (motion["free"].get<bool>())
-            std::cout << "free, length " << motion["length"].get<double>() << "\n";
-        else
-            std::cout << "blocked after " << motion["free_fraction"].get<double>() << " of length "
-                      << motion["length"].get<double>() << "\n";
-        std::cout << "check      " << std::setprecision(CHECK_TIME_DIGITS)
-                  << description["state_check_time"].get<double>()
-                  << " microseconds a state; for planners of this project with a seed: mfa.state_check_time="
-                  << description["state_check_time"].get<double>() << "\n";
-        std::cout << "planners   " << description["planners"].size() << "\n";
-    }
-
-    void check(const Options &options)
-    {
-        const ProblemFactory factory(ompl_mfa::benchmark::readBenchmarkConfig(options.file));
-        ompl_mfa::benchmark::setRandomSeed(factory.config().benchmark.seed);
-        const auto setup = factory.create();
-        checkPlanners(factory);
-        const nlohmann::json description = describe(factory, *setup);
-        for (const auto &warning : description["warnings"])
-            std::cerr << "warning: " << ompl_mfa::oneLine(warning.get<std::string>()) << std::endl;
-        if (options.json)
-            ompl_mfa::cli::printDocument(description);
-        else
-            printText(description);
-    }
-}  // namespace
-
-void ompl_mfa::cli::addCheckCommand(CLI::App &app)
-{
-    const auto options = std::make_shared<Options>();
-    auto *command = app.add_subcommand("check", "Validate a benchmark config without running it");
-    command->add_option("FILE", options->file, "A .cfg file")->required();
-    command->add_flag("--json", options->json, "Print one JSON document");
-    command->callback([options] { check(*options); });
-}
+}  // namespace ompl_mfa::cli

@@ -49,57 +49,60 @@
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
 #include "text/NumberText.h"
 
-namespace
+namespace ompl_mfa::cli
 {
-    struct Options
+    namespace
     {
-        std::vector<std::string> parts;
-        std::string output;
-        bool allowMissing{false};
-        bool json{false};
-    };
-
-    void printJson(const Options &options, const ompl_mfa::benchmark::BenchmarkLog &merged)
-    {
-        nlohmann::json document{
-            {"log", options.output}, {"parts", options.parts.size()}, {"planners", nlohmann::json::array()}};
-        for (const auto &planner : merged.planners)
+        struct Options
         {
-            document["planners"].push_back(
-                {{"planner", planner.name.substr(planner.name.find('_') + 1)}, {"runs", planner.runs.size()}});
-        }
-        ompl_mfa::cli::printDocument(document);
-    }
+            std::vector<std::string> parts;
+            std::string output;
+            bool allowMissing{false};
+            bool json{false};
+        };
 
-    void merge(Options options)
-    {
-        options.output = ompl_mfa::benchmark::writtenPath(options.output, "--output " + options.output).string();
-        const ompl_mfa::benchmark::BenchmarkLog merged =
-            ompl_mfa::benchmark::mergeCampaign(options.parts, options.output, options.allowMissing);
-        if (options.json)
+        void printJson(const Options &options, const benchmark::BenchmarkLog &merged)
         {
-            printJson(options, merged);
-            return;
+            nlohmann::json document{
+                {"log", options.output}, {"parts", options.parts.size()}, {"planners", nlohmann::json::array()}};
+            for (const auto &planner : merged.planners)
+            {
+                document["planners"].push_back(
+                    {{"planner", planner.name.substr(planner.name.find('_') + 1)}, {"runs", planner.runs.size()}});
+            }
+            cli::printDocument(document);
         }
-        std::size_t runs = 0;
-        for (const auto &planner : merged.planners)
-            runs += planner.runs.size();
-        const ompl_mfa::text::PlainNumbers plainNumbers(std::cout);
-        std::cout << options.output << ": " << runs << " runs of " << merged.planners.size() << " planners from "
-                  << options.parts.size() << " parts" << std::endl;
-    }
-}  // namespace
 
-void ompl_mfa::cli::addMergeCommand(CLI::App &app)
-{
-    const auto options = std::make_shared<Options>();
-    auto *command = app.add_subcommand("merge", "Join the parts of a campaign into one log");
-    command
-        ->add_option("parts", options->parts,
-                     "Logs of 'ompl_mfa benchmark --shard I/N', with their journals, or the journals")
-        ->required();
-    command->add_option("--output", options->output, "The log that is written, with its journal")->required();
-    command->add_flag("--allow-missing", options->allowMissing, "Join the parts even when runs are missing");
-    command->add_flag("--json", options->json, "Print one JSON document");
-    command->callback([options] { merge(*options); });
-}
+        void merge(Options options)
+        {
+            options.output = benchmark::writtenPath(options.output, "--output " + options.output).string();
+            const benchmark::BenchmarkLog merged =
+                benchmark::mergeCampaign(options.parts, options.output, options.allowMissing);
+            if (options.json)
+            {
+                printJson(options, merged);
+                return;
+            }
+            std::size_t runs = 0;
+            for (const auto &planner : merged.planners)
+                runs += planner.runs.size();
+            const text::PlainNumbers plainNumbers(std::cout);
+            std::cout << options.output << ": " << runs << " runs of " << merged.planners.size() << " planners from "
+                      << options.parts.size() << " parts" << std::endl;
+        }
+    }  // namespace
+
+    void addMergeCommand(CLI::App &app)
+    {
+        const auto options = std::make_shared<Options>();
+        auto *command = app.add_subcommand("merge", "Join the parts of a campaign into one log");
+        command
+            ->add_option("parts", options->parts,
+                         "Logs of 'ompl_mfa benchmark --shard I/N', with their journals, or the journals")
+            ->required();
+        command->add_option("--output", options->output, "The log that is written, with its journal")->required();
+        command->add_flag("--allow-missing", options->allowMissing, "Join the parts even when runs are missing");
+        command->add_flag("--json", options->json, "Print one JSON document");
+        command->callback([options] { merge(*options); });
+    }
+}  // namespace ompl_mfa::cli

@@ -39,13 +39,16 @@
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 
-CLI::Option *ompl_mfa::cli::addNumberOption(CLI::App &command, const std::string &name, double &value,
-                                            const std::string &description, const std::string &accepted)
+namespace ompl_mfa::cli
 {
-    const auto read = [&value, name, accepted](const std::string &text)
+    CLI::Option *addNumberOption(CLI::App &command, const std::string &name, double &value,
+                                 const std::string &description, const std::string &accepted)
     {
-        if (!ompl_mfa::text::readNumber(text, value))
-            throw InputError(name + " " + text + ": expected " + accepted);
-    };
-    return command.add_option_function<std::string>(name, read, description)->type_name("NUMBER");
-}
+        const auto read = [&value, name, accepted](const std::string &text)
+        {
+            if (!text::readNumber(text, value))
+                throw InputError(name + " " + text + ": expected " + accepted);
+        };
+        return command.add_option_function<std::string>(name, read, description)->type_name("NUMBER");
+    }
+}  // namespace ompl_mfa::cli

@@ -67,320 +67,324 @@
 #include "ompl_mfa/planner/MFA.h"
 #include "text/NumberText.h"
 
-namespace
+namespace ompl_mfa::cli
 {
-    namespace ob = ompl::base;
-    namespace og = ompl::geometric;
-    using ompl_mfa::benchmark::BenchmarkConfig;
-    using ompl_mfa::benchmark::PlannerSpec;
-    using ompl_mfa::benchmark::ProblemFactory;
-    using ompl_mfa::cli::finiteOrNull;
-
-    const char *const ACCEPTED_TIME = "a number above 0 and at most 1e9 (seconds)";
-
-    struct Options
+    namespace
     {
-        std::string file;
-        std::string planner{"mfa"};
-        double time{0.0};
-        std::uint32_t seed{0};
-        std::uint64_t iterations{0};
-        std::vector<std::string> parameters;
-        bool simplify{false};
-        std::string picture;
-        std::string path;
-        bool json{false};
-    };
+        namespace ob = ompl::base;
+        namespace og = ompl::geometric;
+        using benchmark::BenchmarkConfig;
+        using benchmark::PlannerSpec;
+        using benchmark::ProblemFactory;
+        using cli::finiteOrNull;
 
-    /** \brief What a run of a planner came to. Costs and times are infinite where there is none. */
-    struct Result
-    {
-        std::string status;
-        bool exact{false};
-        bool valid{false};
-        double cost{std::numeric_limits<double>::infinity()};
-        double unsimplifiedCost{std::numeric_limits<double>::infinity()};
-        double length{std::numeric_limits<double>::infinity()};
-        double timeToFirstSolution{std::numeric_limits<double>::infinity()};
-        double time{0.0};
-        double simplificationTime{0.0};
-        std::size_t states{0};
-        std::string evaluations;
-        std::string iterations;
-        std::uint64_t checkedStates{0};
-        std::uint64_t checkedMotions{0};
-    };
+        const char *const ACCEPTED_TIME = "a number above 0 and at most 1e9 (seconds)";
 
-    /** \brief The instance of the config that has this name or else this type, or else a new one of this type. */
-    PlannerSpec findSpec(const BenchmarkConfig &config, const std::string &planner)
-    {
-        for (const auto &spec : config.planners)
-            if (spec.name == planner)
-                return spec;
-        const std::string type = ompl_mfa::lowerCase(planner);
-        for (const auto &spec : config.planners)
-            if (spec.type == type)
-                return spec;
-        ompl_mfa::benchmark::requireKnownPlanner(type, "--planner");
-        return {type, ompl_mfa::benchmark::plannerTitle(type), "--planner", {}, {}};
-    }
-
-    void overrideParameter(PlannerSpec &spec, const std::string &text)
-    {
-        const auto equals = text.find('=');
-        if (equals == std::string::npos)
-            throw ompl_mfa::InputError("--parameter " + text + ": expected NAME=VALUE");
-        const ompl_mfa::benchmark::ConfigEntry entry{ompl_mfa::trimmed(text.substr(0, equals)),
-                                                     ompl_mfa::trimmed(text.substr(equals + 1)), "--parameter"};
-        for (auto &parameter : spec.parameters)
+        struct Options
         {
-            if (ompl_mfa::lowerCase(parameter.key) == ompl_mfa::lowerCase(entry.key))
+            std::string file;
+            std::string planner{"mfa"};
+            double time{0.0};
+            std::uint32_t seed{0};
+            std::uint64_t iterations{0};
+            std::vector<std::string> parameters;
+            bool simplify{false};
+            std::string picture;
+            std::string path;
+            bool json{false};
+        };
+
+        /** \brief What a run of a planner came to. Costs and times are infinite where there is none. */
+        struct Result
+        {
+            std::string status;
+            bool exact{false};
+            bool valid{false};
+            double cost{std::numeric_limits<double>::infinity()};
+            double unsimplifiedCost{std::numeric_limits<double>::infinity()};
+            double length{std::numeric_limits<double>::infinity()};
+            double timeToFirstSolution{std::numeric_limits<double>::infinity()};
+            double time{0.0};
+            double simplificationTime{0.0};
+            std::size_t states{0};
+            std::string evaluations;
+            std::string iterations;
+            std::uint64_t checkedStates{0};
+            std::uint64_t checkedMotions{0};
+        };
+
+        /** \brief The instance of the config that has this name or else this type, or else a new one of this type. */
+        PlannerSpec findSpec(const BenchmarkConfig &config, const std::string &planner)
+        {
+            for (const auto &spec : config.planners)
+                if (spec.name == planner)
+                    return spec;
+            const std::string type = lowerCase(planner);
+            for (const auto &spec : config.planners)
+                if (spec.type == type)
+                    return spec;
+            benchmark::requireKnownPlanner(type, "--planner");
+            return {type, benchmark::plannerTitle(type), "--planner", {}, {}};
+        }
+
+        void overrideParameter(PlannerSpec &spec, const std::string &text)
+        {
+            const auto equals = text.find('=');
+            if (equals == std::string::npos)
+                throw InputError("--parameter " + text + ": expected NAME=VALUE");
+            const benchmark::ConfigEntry entry{trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)),
+                                               "--parameter"};
+            for (auto &parameter : spec.parameters)
             {
-                parameter = entry;
+                if (lowerCase(parameter.key) == lowerCase(entry.key))
+                {
+                    parameter = entry;
+                    return;
+                }
+            }
+            spec.parameters.push_back(entry);
+        }
+
+        bool hasParameter(const PlannerSpec &spec, const std::string &name)
+        {
+            return std::any_of(spec.parameters.begin(), spec.parameters.end(),
+                               [&name](const auto &parameter) { return lowerCase(parameter.key) == name; });
+        }
+
+        double costOf(const og::SimpleSetup &setup)
+        {
+            const auto &objective = setup.getOptimizationObjective();
+            const og::PathGeometric &path = setup.getSolutionPath();
+            return objective ? path.cost(objective).value() : path.length();
+        }
+
+        std::string progressProperty(const ob::Planner &planner, const std::string &name)
+        {
+            const auto &properties = planner.getPlannerProgressProperties();
+            const auto found = properties.find(name);
+            return found == properties.end() ? "" : found->second();
+        }
+
+        /** \brief One planner on one problem. */
+        class PlanRun
+        {
+        public:
+            PlanRun(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options)
+              : options_(options)
+              , setup_(factory.create(spec.context))
+            {
+                const auto &si = setup_->getSpaceInformation();
+                planner_ = benchmark::createPlanner(si, spec);
+                if (!hasParameter(spec, "seed"))
+                    benchmark::seedPlanner(*planner_, options.seed);
+                measured_ = std::make_shared<benchmark::MeasuredPlanner>(
+                    planner_, state_,
+                    benchmark::MeasuredPlanner::Settings{options.time, ONLY_AT_FIRST, options.iterations, {}});
+                setup_->setPlanner(measured_);
+            }
+
+            Result solve()
+            {
+                Result result;
+                const ob::PlannerStatus status = setup_->solve(options_.time);
+                result.time = measured_->time();
+                result.status = status.asString();
+                result.exact = status == ob::PlannerStatus::EXACT_SOLUTION;
+                result.timeToFirstSolution = state_.firstSolution.load();
+                result.checkedStates = measured_->collisionChecks();
+                result.checkedMotions = measured_->motionChecks();
+                result.evaluations = progressProperty(*planner_, "evaluations INTEGER");
+                result.iterations = progressProperty(*planner_, "iterations INTEGER");
+                if (setup_->haveSolutionPath())
+                    measurePath(result);
+                return result;
+            }
+
+            const og::SimpleSetup &setup() const
+            {
+                return *setup_;
+            }
+
+            const ob::Planner &planner() const
+            {
+                return *planner_;
+            }
+
+        private:
+            /* Of the progress only the time of the first solution is wanted, and that is watched for anyway. */
+            static constexpr double ONLY_AT_FIRST = benchmark::LONGEST_TIME_LIMIT;
+
+            void measurePath(Result &result)
+            {
+                result.unsimplifiedCost = costOf(*setup_);
+                if (options_.simplify && result.exact)
+                {
+                    const ompl::time::point start = ompl::time::now();
+                    setup_->simplifySolution();
+                    result.simplificationTime = ompl::time::seconds(ompl::time::now() - start);
+                }
+                const og::PathGeometric &path = setup_->getSolutionPath();
+                result.cost = costOf(*setup_);
+                result.length = path.length();
+                result.states = path.getStateCount();
+                result.valid = path.check();
+            }
+
+            const Options &options_;
+            benchmark::RunState state_;
+            og::SimpleSetupPtr setup_;
+            ob::PlannerPtr planner_;
+            std::shared_ptr<benchmark::MeasuredPlanner> measured_;
+        };
+
+        /** \brief Before the planner runs: its result is not to be lost for want of a folder. */
+        void requireWritable(const std::string &option, const std::filesystem::path &file)
+        {
+            if (file.empty())
                 return;
-            }
-        }
-        spec.parameters.push_back(entry);
-    }
-
-    bool hasParameter(const PlannerSpec &spec, const std::string &name)
-    {
-        return std::any_of(spec.parameters.begin(), spec.parameters.end(),
-                           [&name](const auto &parameter) { return ompl_mfa::lowerCase(parameter.key) == name; });
-    }
-
-    double costOf(const og::SimpleSetup &setup)
-    {
-        const auto &objective = setup.getOptimizationObjective();
-        const og::PathGeometric &path = setup.getSolutionPath();
-        return objective ? path.cost(objective).value() : path.length();
-    }
-
-    std::string progressProperty(const ob::Planner &planner, const std::string &name)
-    {
-        const auto &properties = planner.getPlannerProgressProperties();
-        const auto found = properties.find(name);
-        return found == properties.end() ? "" : found->second();
-    }
-
-    /** \brief One planner on one problem. */
-    class PlanRun
-    {
-    public:
-        PlanRun(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options)
-          : options_(options)
-          , setup_(factory.create(spec.context))
-        {
-            const auto &si = setup_->getSpaceInformation();
-            planner_ = ompl_mfa::benchmark::createPlanner(si, spec);
-            if (!hasParameter(spec, "seed"))
-                ompl_mfa::benchmark::seedPlanner(*planner_, options.seed);
-            measured_ = std::make_shared<ompl_mfa::benchmark::MeasuredPlanner>(
-                planner_, state_,
-                ompl_mfa::benchmark::MeasuredPlanner::Settings{options.time, ONLY_AT_FIRST, options.iterations, {}});
-            setup_->setPlanner(measured_);
-        }
-
-        Result solve()
-        {
-            Result result;
-            const ob::PlannerStatus status = setup_->solve(options_.time);
-            result.time = measured_->time();
-            result.status = status.asString();
-            result.exact = status == ob::PlannerStatus::EXACT_SOLUTION;
-            result.timeToFirstSolution = state_.firstSolution.load();
-            result.checkedStates = measured_->collisionChecks();
-            result.checkedMotions = measured_->motionChecks();
-            result.evaluations = progressProperty(*planner_, "evaluations INTEGER");
-            result.iterations = progressProperty(*planner_, "iterations INTEGER");
-            if (setup_->haveSolutionPath())
-                measurePath(result);
-            return result;
-        }
-
-        const og::SimpleSetup &setup() const
-        {
-            return *setup_;
-        }
-
-        const ob::Planner &planner() const
-        {
-            return *planner_;
-        }
-
-    private:
-        /* Of the progress only the time of the first solution is wanted, and that is watched for anyway. */
-        static constexpr double ONLY_AT_FIRST = ompl_mfa::benchmark::LONGEST_TIME_LIMIT;
-
-        void measurePath(Result &result)
-        {
-            result.unsimplifiedCost = costOf(*setup_);
-            if (options_.simplify && result.exact)
+            const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+            if (std::filesystem::is_directory(file) || !std::filesystem::is_directory(folder) ||
+                access(std::filesystem::exists(file) ? file.c_str() : folder.c_str(), W_OK) != 0)
             {
-                const ompl::time::point start = ompl::time::now();
-                setup_->simplifySolution();
-                result.simplificationTime = ompl::time::seconds(ompl::time::now() - start);
+                throw InputError(option + " " + file.string() +
+                                 ": cannot be written; a file in an existing, writable folder is accepted");
             }
-            const og::PathGeometric &path = setup_->getSolutionPath();
-            result.cost = costOf(*setup_);
-            result.length = path.length();
-            result.states = path.getStateCount();
-            result.valid = path.check();
         }
 
-        const Options &options_;
-        ompl_mfa::benchmark::RunState state_;
-        og::SimpleSetupPtr setup_;
-        ob::PlannerPtr planner_;
-        std::shared_ptr<ompl_mfa::benchmark::MeasuredPlanner> measured_;
-    };
-
-    /** \brief Before the planner runs: its result is not to be lost for want of a folder. */
-    void requireWritable(const std::string &option, const std::filesystem::path &file)
-    {
-        if (file.empty())
-            return;
-        const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-        if (std::filesystem::is_directory(file) || !std::filesystem::is_directory(folder) ||
-            access(std::filesystem::exists(file) ? file.c_str() : folder.c_str(), W_OK) != 0)
+        void writePath(const og::PathGeometric &path, const std::string &file)
         {
-            throw ompl_mfa::InputError(option + " " + file.string() +
-                                       ": cannot be written; a file in an existing, writable folder is accepted");
+            std::ofstream out(file);
+            out.imbue(std::locale::classic());
+            out << std::setprecision(std::numeric_limits<double>::max_digits10);
+            path.printAsMatrix(out);
+            out.close();
+            if (!out)
+                throw InputError("--path " + file + ": cannot be written");
         }
-    }
 
-    void writePath(const og::PathGeometric &path, const std::string &file)
-    {
-        std::ofstream out(file);
-        out.imbue(std::locale::classic());
-        out << std::setprecision(std::numeric_limits<double>::max_digits10);
-        path.printAsMatrix(out);
-        out.close();
-        if (!out)
-            throw ompl_mfa::InputError("--path " + file + ": cannot be written");
-    }
-
-    void draw(const ProblemFactory &factory, const PlanRun &run, const Result &result, const Options &options)
-    {
-        ompl_mfa::cli::PictureContent content;
-        content.title = factory.config().problem.name + ", " + run.planner().getName();
-        if (const auto *mfa = dynamic_cast<const ompl_mfa::MFA *>(&run.planner()))
+        void draw(const ProblemFactory &factory, const PlanRun &run, const Result &result, const Options &options)
         {
-            content.swarm = mfa->getSwarmPaths();
-            content.slices = mfa->getSlicePaths();
+            cli::PictureContent content;
+            content.title = factory.config().problem.name + ", " + run.planner().getName();
+            if (const auto *mfa = dynamic_cast<const MFA *>(&run.planner()))
+            {
+                content.swarm = mfa->getSwarmPaths();
+                content.slices = mfa->getSlicePaths();
+            }
+            if (run.setup().haveSolutionPath())
+            {
+                content.best.push_back(run.setup().getSolutionPath());
+                content.title += ", cost " + text::numberText(result.cost, 5) + (result.exact ? "" : " (approximate)");
+            }
+            cli::drawProblem(factory, run.setup(), content, options.picture);
         }
-        if (run.setup().haveSolutionPath())
+
+        nlohmann::json count(const std::string &text)
         {
-            content.best.push_back(run.setup().getSolutionPath());
-            content.title +=
-                ", cost " + ompl_mfa::text::numberText(result.cost, 5) + (result.exact ? "" : " (approximate)");
+            return text.empty() ? nlohmann::json() : nlohmann::json(std::stoull(text));
         }
-        ompl_mfa::cli::drawProblem(factory, run.setup(), content, options.picture);
-    }
 
-    nlohmann::json count(const std::string &text)
+        void printJson(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options,
+                       const Result &result)
+        {
+            const nlohmann::json document = {{"problem", factory.config().problem.name},
+                                             {"planner", spec.type},
+                                             {"name", spec.name},
+                                             {"seed", options.seed},
+                                             {"status", result.status},
+                                             {"cost", finiteOrNull(result.cost)},
+                                             {"unsimplified_cost", finiteOrNull(result.unsimplifiedCost)},
+                                             {"length", finiteOrNull(result.length)},
+                                             {"valid", result.valid},
+                                             {"time_to_first_solution", finiteOrNull(result.timeToFirstSolution)},
+                                             {"time", result.time},
+                                             {"simplification_time", result.simplificationTime},
+                                             {"states", result.states},
+                                             {"evaluations", count(result.evaluations)},
+                                             {"iterations", count(result.iterations)},
+                                             {"checked_states", result.checkedStates},
+                                             {"checked_motions", result.checkedMotions}};
+            cli::printDocument(document);
+        }
+
+        void printText(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options,
+                       const Result &result)
+        {
+            const auto orNone = [](double value, const std::string &unit)
+            { return std::isfinite(value) ? text::numberText(value, 7) + unit : std::string("none"); };
+            const text::PlainNumbers plainNumbers(std::cout);
+            std::cout << "problem                  " << factory.config().problem.name << "\n"
+                      << "planner                  " << spec.name << ", seed " << options.seed << "\n"
+                      << "status                   " << result.status << "\n"
+                      << "cost                     " << orNone(result.cost, "");
+            if (options.simplify)
+                std::cout << " (" << orNone(result.unsimplifiedCost, "") << " before simplification)";
+            std::cout << "\ntime to first solution   " << orNone(result.timeToFirstSolution, " s") << "\n"
+                      << "time                     " << orNone(result.time, " s") << "\n"
+                      << "states                   " << result.states << "\n"
+                      << "evaluations              "
+                      << (result.evaluations.empty() ? "not counted" : result.evaluations)
+                      << "\nchecked states, motions  " << result.checkedStates << ", " << result.checkedMotions
+                      << std::endl;
+        }
+
+        void plan(Options options, bool timeGiven, bool seedGiven)
+        {
+            const ProblemFactory factory(benchmark::readBenchmarkConfig(options.file));
+            const benchmark::CampaignConfig &benchmark = factory.config().benchmark;
+            if (!seedGiven)
+                options.seed = static_cast<std::uint32_t>(benchmark.seed);
+            if (!timeGiven)
+                options.time = benchmark.timeLimit;
+            if (!(options.time > 0.0 && options.time <= benchmark::LONGEST_TIME_LIMIT))
+                throw InputError("--time " + text::numberText(options.time) + ": expected " + ACCEPTED_TIME);
+            options.picture = benchmark::writtenPath(options.picture, "--picture " + options.picture).string();
+            options.path = benchmark::writtenPath(options.path, "--path " + options.path).string();
+            if (!options.picture.empty())
+                cli::pictureFormat(options.picture);
+            requireWritable("--picture", options.picture);
+            requireWritable("--path", options.path);
+            PlannerSpec spec = findSpec(factory.config(), options.planner);
+            for (const auto &parameter : options.parameters)
+                overrideParameter(spec, parameter);
+
+            benchmark::setRandomSeed(options.seed);
+            PlanRun run(factory, spec, options);
+            const Result result = run.solve();
+            if (!options.path.empty() && run.setup().haveSolutionPath())
+                writePath(run.setup().getSolutionPath(), options.path);
+            if (!options.picture.empty())
+                draw(factory, run, result, options);
+            if (options.json)
+                printJson(factory, spec, options, result);
+            else
+                printText(factory, spec, options, result);
+            if (!result.exact)
+                throw CLI::RuntimeError(1);
+        }
+    }  // namespace
+
+    void addPlanCommand(CLI::App &app)
     {
-        return text.empty() ? nlohmann::json() : nlohmann::json(std::stoull(text));
+        const auto options = std::make_shared<Options>();
+        auto *command = app.add_subcommand("plan", "Solve the problem of a benchmark config once");
+        command->add_option("FILE", options->file, "A .cfg file")->required();
+        command
+            ->add_option("--planner", options->planner,
+                         "Name or type of a planner of the config, which keeps its parameters there, or any other type")
+            ->capture_default_str();
+        auto *time = addNumberOption(*command, "--time", options->time, "Seconds; the config's time_limit if not given",
+                                     ACCEPTED_TIME);
+        auto *seed = command->add_option("--seed", options->seed, "The config's seed if not given")
+                         ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
+        command->add_option("--iterations", options->iterations,
+                            "Stop when the planner has asked this often whether to stop; a run that ends so repeats "
+                            "exactly");
+        command->add_option("--parameter", options->parameters, "NAME=VALUE of the planner, overriding the config");
+        command->add_flag("--simplify", options->simplify, "Simplify the path as OMPL's SimpleSetup does");
+        command->add_option("--picture", options->picture, "Draw world and paths in this .svg, .png or .pdf file");
+        command->add_option("--path", options->path, "Write the path to this file, a state a line");
+        command->add_flag("--json", options->json, "Print one JSON document");
+        command->callback([options, time, seed] { plan(*options, time->count() > 0, seed->count() > 0); });
     }
-
-    void printJson(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options, const Result &result)
-    {
-        const nlohmann::json document = {{"problem", factory.config().problem.name},
-                                         {"planner", spec.type},
-                                         {"name", spec.name},
-                                         {"seed", options.seed},
-                                         {"status", result.status},
-                                         {"cost", finiteOrNull(result.cost)},
-                                         {"unsimplified_cost", finiteOrNull(result.unsimplifiedCost)},
-                                         {"length", finiteOrNull(result.length)},
-                                         {"valid", result.valid},
-                                         {"time_to_first_solution", finiteOrNull(result.timeToFirstSolution)},
-                                         {"time", result.time},
-                                         {"simplification_time", result.simplificationTime},
-                                         {"states", result.states},
-                                         {"evaluations", count(result.evaluations)},
-                                         {"iterations", count(result.iterations)},
-                                         {"checked_states", result.checkedStates},
-                                         {"checked_motions", result.checkedMotions}};
-        ompl_mfa::cli::printDocument(document);
-    }
-
-    void printText(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options, const Result &result)
-    {
-        const auto orNone = [](double value, const std::string &unit)
-        { return std::isfinite(value) ? ompl_mfa::text::numberText(value, 7) + unit : std::string("none"); };
-        const ompl_mfa::text::PlainNumbers plainNumbers(std::cout);
-        std::cout << "problem                  " << factory.config().problem.name << "\n"
-                  << "planner                  " << spec.name << ", seed " << options.seed << "\n"
-                  << "status                   " << result.status << "\n"
-                  << "cost                     " << orNone(result.cost, "");
-        if (options.simplify)
-            std::cout << " (" << orNone(result.unsimplifiedCost, "") << " before simplification)";
-        std::cout << "\ntime to first solution   " << orNone(result.timeToFirstSolution, " s") << "\n"
-                  << "time                     " << orNone(result.time, " s") << "\n"
-                  << "states                   " << result.states << "\n"
-                  << "evaluations              " << (result.evaluations.empty() ? "not counted" : result.evaluations)
-                  << "\nchecked states, motions  " << result.checkedStates << ", " << result.checkedMotions
-                  << std::endl;
-    }
-
-    void plan(Options options, bool timeGiven, bool seedGiven)
-    {
-        const ProblemFactory factory(ompl_mfa::benchmark::readBenchmarkConfig(options.file));
-        const ompl_mfa::benchmark::CampaignConfig &benchmark = factory.config().benchmark;
-        if (!seedGiven)
-            options.seed = static_cast<std::uint32_t>(benchmark.seed);
-        if (!timeGiven)
-            options.time = benchmark.timeLimit;
-        if (!(options.time > 0.0 && options.time <= ompl_mfa::benchmark::LONGEST_TIME_LIMIT))
-            throw ompl_mfa::InputError("--time " + ompl_mfa::text::numberText(options.time) + ": expected " +
-                                       ACCEPTED_TIME);
-        options.picture = ompl_mfa::benchmark::writtenPath(options.picture, "--picture " + options.picture).string();
-        options.path = ompl_mfa::benchmark::writtenPath(options.path, "--path " + options.path).string();
-        if (!options.picture.empty())
-            ompl_mfa::cli::pictureFormat(options.picture);
-        requireWritable("--picture", options.picture);
-        requireWritable("--path", options.path);
-        PlannerSpec spec = findSpec(factory.config(), options.planner);
-        for (const auto &parameter : options.parameters)
-            overrideParameter(spec, parameter);
-
-        ompl_mfa::benchmark::setRandomSeed(options.seed);
-        PlanRun run(factory, spec, options);
-        const Result result = run.solve();
-        if (!options.path.empty() && run.setup().haveSolutionPath())
-            writePath(run.setup().getSolutionPath(), options.path);
-        if (!options.picture.empty())
-            draw(factory, run, result, options);
-        if (options.json)
-            printJson(factory, spec, options, result);
-        else
-            printText(factory, spec, options, result);
-        if (!result.exact)
-            throw CLI::RuntimeError(1);
-    }
-}  // namespace
-
-void ompl_mfa::cli::addPlanCommand(CLI::App &app)
-{
-    const auto options = std::make_shared<Options>();
-    auto *command = app.add_subcommand("plan", "Solve the problem of a benchmark config once");
-    command->add_option("FILE", options->file, "A .cfg file")->required();
-    command
-        ->add_option("--planner", options->planner,
-                     "Name or type of a planner of the config, which keeps its parameters there, or any other type")
-        ->capture_default_str();
-    auto *time = addNumberOption(*command, "--time", options->time, "Seconds; the config's time_limit if not given",
-                                 ACCEPTED_TIME);
-    auto *seed = command->add_option("--seed", options->seed, "The config's seed if not given")
-                     ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
-    command->add_option("--iterations", options->iterations,
-                        "Stop when the planner has asked this often whether to stop; a run that ends so repeats "
-                        "exactly");
-    command->add_option("--parameter", options->parameters, "NAME=VALUE of the planner, overriding the config");
-    command->add_flag("--simplify", options->simplify, "Simplify the path as OMPL's SimpleSetup does");
-    command->add_option("--picture", options->picture, "Draw world and paths in this .svg, .png or .pdf file");
-    command->add_option("--path", options->path, "Write the path to this file, a state a line");
-    command->add_flag("--json", options->json, "Print one JSON document");
-    command->callback([options, time, seed] { plan(*options, time->count() > 0, seed->count() > 0); });
-}
+}  // namespace ompl_mfa::cli

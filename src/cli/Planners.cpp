@@ -48,64 +48,67 @@
 #include "cli/JsonDocument.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 
-namespace
+namespace ompl_mfa::cli
 {
-    struct Options
+    namespace
     {
-        std::vector<std::string> names;
-        bool json{false};
-    };
-
-    void printJson(const std::vector<std::string> &names)
-    {
-        nlohmann::json planners = nlohmann::json::array();
-        for (const auto &name : names)
+        struct Options
         {
-            nlohmann::json parameters = nlohmann::json::array();
-            for (const auto &parameter : ompl_mfa::benchmark::plannerParameters(name))
+            std::vector<std::string> names;
+            bool json{false};
+        };
+
+        void printJson(const std::vector<std::string> &names)
+        {
+            nlohmann::json planners = nlohmann::json::array();
+            for (const auto &name : names)
             {
-                parameters.push_back({{"name", parameter.name},
-                                      {"type", parameter.type},
-                                      {"range", parameter.range},
-                                      {"default", parameter.defaultValue}});
+                nlohmann::json parameters = nlohmann::json::array();
+                for (const auto &parameter : benchmark::plannerParameters(name))
+                {
+                    parameters.push_back({{"name", parameter.name},
+                                          {"type", parameter.type},
+                                          {"range", parameter.range},
+                                          {"default", parameter.defaultValue}});
+                }
+                planners.push_back(
+                    {{"name", name}, {"title", benchmark::plannerTitle(name)}, {"parameters", parameters}});
             }
-            planners.push_back(
-                {{"name", name}, {"title", ompl_mfa::benchmark::plannerTitle(name)}, {"parameters", parameters}});
+            cli::printDocument({{"planners", planners}});
         }
-        ompl_mfa::cli::printDocument({{"planners", planners}});
-    }
 
-    void printTable(const std::vector<std::string> &names)
-    {
-        for (const auto &name : names)
+        void printTable(const std::vector<std::string> &names)
         {
-            std::cout << name << " (" << ompl_mfa::benchmark::plannerTitle(name) << ")\n";
-            for (const auto &parameter : ompl_mfa::benchmark::plannerParameters(name))
-                std::cout << "    " << std::left << std::setw(36) << parameter.name << std::setw(10) << parameter.type
-                          << std::setw(18) << parameter.defaultValue << parameter.range << "\n";
+            for (const auto &name : names)
+            {
+                std::cout << name << " (" << benchmark::plannerTitle(name) << ")\n";
+                for (const auto &parameter : benchmark::plannerParameters(name))
+                    std::cout << "    " << std::left << std::setw(36) << parameter.name << std::setw(10)
+                              << parameter.type << std::setw(18) << parameter.defaultValue << parameter.range << "\n";
+            }
         }
-    }
 
-    void listPlanners(const Options &options)
+        void listPlanners(const Options &options)
+        {
+            for (const auto &name : options.names)
+                benchmark::requireKnownPlanner(name, "planners");
+            // BIT* warns about some of its parameters whenever they are read
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+            const auto names = options.names.empty() ? benchmark::plannerNames() : options.names;
+            if (options.json)
+                printJson(names);
+            else
+                printTable(names);
+        }
+    }  // namespace
+
+    void addPlannersCommand(CLI::App &app)
     {
-        for (const auto &name : options.names)
-            ompl_mfa::benchmark::requireKnownPlanner(name, "planners");
-        // BIT* warns about some of its parameters whenever they are read
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-        const auto names = options.names.empty() ? ompl_mfa::benchmark::plannerNames() : options.names;
-        if (options.json)
-            printJson(names);
-        else
-            printTable(names);
+        const auto options = std::make_shared<Options>();
+        auto *command =
+            app.add_subcommand("planners", "List planners with their parameters: type, default and range of each");
+        command->add_option("NAME", options->names, "Only these planners");
+        command->add_flag("--json", options->json, "Print one JSON document");
+        command->callback([options] { listPlanners(*options); });
     }
-}  // namespace
-
-void ompl_mfa::cli::addPlannersCommand(CLI::App &app)
-{
-    const auto options = std::make_shared<Options>();
-    auto *command =
-        app.add_subcommand("planners", "List planners with their parameters: type, default and range of each");
-    command->add_option("NAME", options->names, "Only these planners");
-    command->add_flag("--json", options->json, "Print one JSON document");
-    command->callback([options] { listPlanners(*options); });
-}
+}  // namespace ompl_mfa::cli

@@ -45,7 +45,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/optimizer/ObjectiveFunction.h"
 
-namespace ompl_mfa
+namespace ompl_mfa::optimizer
 {
     /** \brief A function with known global optimum, over a cube in R^d. */
     class OMPL_MFA_EXPORT TestFunction : public ObjectiveFunction
@@ -95,6 +95,6 @@ namespace ompl_mfa
         double (*function_)(const Eigen::VectorXd &x);
         bool maximised_;
     };
-}  // namespace ompl_mfa
+}  // namespace ompl_mfa::optimizer
 
 #endif

@@ -41,75 +41,77 @@
 
 #include "ompl_mfa/InputError.h"
 
-namespace
+namespace ompl_mfa::text
 {
-    /** \brief Levenshtein distance. */
-    std::size_t editDistance(const std::string &a, const std::string &b)
+    namespace
     {
-        std::vector<std::size_t> row(b.size() + 1);
-        std::iota(row.begin(), row.end(), std::size_t{0});
-        for (std::size_t i = 0; i < a.size(); ++i)
+        /** \brief Levenshtein distance. */
+        std::size_t editDistance(const std::string &a, const std::string &b)
         {
-            std::size_t diagonal = row[0];
-            row[0] = i + 1;
-            for (std::size_t j = 0; j < b.size(); ++j)
+            std::vector<std::size_t> row(b.size() + 1);
+            std::iota(row.begin(), row.end(), std::size_t{0});
+            for (std::size_t i = 0; i < a.size(); ++i)
             {
-                const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-                diagonal = row[j + 1];
-                row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
+                std::size_t diagonal = row[0];
+                row[0] = i + 1;
+                for (std::size_t j = 0; j < b.size(); ++j)
+                {
+                    const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+                    diagonal = row[j + 1];
+                    row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
+                }
+            }
+            return row.back();
+        }
+    }  // namespace
+
+    std::string nearestName(const std::string &name, const std::vector<std::string> &known)
+    {
+        std::string nearest;
+        for (const auto &candidate : known)
+        {
+            if (!name.empty() && candidate.compare(0, name.size(), name) == 0 &&
+                (nearest.empty() || candidate.size() < nearest.size()))
+                nearest = candidate;
+        }
+        if (!nearest.empty())
+            return nearest;
+        // farther than this, the guess is rather a distraction
+        std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
+        for (const auto &candidate : known)
+        {
+            const std::size_t distance = editDistance(name, candidate);
+            if (distance < least)
+            {
+                least = distance;
+                nearest = candidate;
             }
         }
-        return row.back();
-    }
-}  // namespace
-
-std::string ompl_mfa::text::nearestName(const std::string &name, const std::vector<std::string> &known)
-{
-    std::string nearest;
-    for (const auto &candidate : known)
-    {
-        if (!name.empty() && candidate.compare(0, name.size(), name) == 0 &&
-            (nearest.empty() || candidate.size() < nearest.size()))
-            nearest = candidate;
-    }
-    if (!nearest.empty())
         return nearest;
-    // farther than this, the guess is rather a distraction
-    std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
-    for (const auto &candidate : known)
-    {
-        const std::size_t distance = editDistance(name, candidate);
-        if (distance < least)
-        {
-            least = distance;
-            nearest = candidate;
-        }
     }
-    return nearest;
-}
 
-std::string ompl_mfa::text::suggestion(const std::string &name, const std::vector<std::string> &known)
-{
-    constexpr std::size_t FEW = 10;
-    const std::string nearest = nearestName(name, known);
-    std::string text = nearest.empty() ? ";" : "; did you mean '" + nearest + "'?";
-    if (!nearest.empty() && known.size() > FEW)
+    std::string suggestion(const std::string &name, const std::vector<std::string> &known)
+    {
+        constexpr std::size_t FEW = 10;
+        const std::string nearest = nearestName(name, known);
+        std::string text = nearest.empty() ? ";" : "; did you mean '" + nearest + "'?";
+        if (!nearest.empty() && known.size() > FEW)
+            return text;
+        text += " accepted:";
+        for (std::size_t i = 0; i < known.size(); ++i)
+            text += (i == 0 ? " " : ", ") + known[i];
         return text;
-    text += " accepted:";
-    for (std::size_t i = 0; i < known.size(); ++i)
-        text += (i == 0 ? " " : ", ") + known[i];
-    return text;
-}
+    }
 
-std::string ompl_mfa::text::describeUnknown(const std::string &kind, const std::string &name,
-                                            const std::vector<std::string> &accepted)
-{
-    return "unknown " + kind + " '" + name + "'" + suggestion(name, accepted);
-}
+    std::string describeUnknown(const std::string &kind, const std::string &name,
+                                const std::vector<std::string> &accepted)
+    {
+        return "unknown " + kind + " '" + name + "'" + suggestion(name, accepted);
+    }
 
-void ompl_mfa::text::requireKnown(const std::string &kind, const std::string &name,
-                                  const std::vector<std::string> &accepted)
-{
-    if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
-        throw InputError(describeUnknown(kind, name, accepted));
-}
+    void requireKnown(const std::string &kind, const std::string &name, const std::vector<std::string> &accepted)
+    {
+        if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
+            throw InputError(describeUnknown(kind, name, accepted));
+    }
+}  // namespace ompl_mfa::text

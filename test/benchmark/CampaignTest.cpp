@@ -66,7 +66,7 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using namespace ompl_mfa;
 using namespace ompl_mfa::benchmark;
-using namespace ompl_mfa_test;
+using namespace ompl_mfa::test;
 using ompl_mfa::test::inputErrorOf;
 
 namespace
@@ -387,8 +387,7 @@ TEST_F(CampaignTest, OnlyResumesItself)
     EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("of another campaign"),
               std::string::npos);
     options_.resume = false;
-    EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("--overwrite"),
-              std::string::npos);
+    EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("--overwrite"), std::string::npos);
     options_.overwrite = true;
     EXPECT_EQ(Campaign(description).run(options_).missing, 0u);
     // A finished campaign is simply made again.
@@ -517,9 +516,8 @@ TEST(Campaign, RefusesWhatCannotBeRun)
 {
     CampaignDescription description = peacefulDescription();
     description.planners[1].name = "RRTConnect";
-    EXPECT_NE(
-        inputErrorOf([&] { Campaign campaign(description); }).find("two planners have the name RRTConnect"),
-        std::string::npos);
+    EXPECT_NE(inputErrorOf([&] { Campaign campaign(description); }).find("two planners have the name RRTConnect"),
+              std::string::npos);
     description = peacefulDescription();
     description.runCount = 0;
     EXPECT_NE(inputErrorOf([&] { Campaign campaign(description); }), "");
@@ -539,11 +537,9 @@ TEST_F(CampaignTest, MakesTheFolderOfItsLogOrSaysWhyNot)
     Campaign(description).run(options_);
     EXPECT_TRUE(std::filesystem::exists(options_.log));
     options_.log = "/proc/nowhere/x.log";
-    EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("/proc/nowhere"),
-              std::string::npos);
+    EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("/proc/nowhere"), std::string::npos);
     options_.log = folder_;
-    EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("not a regular file"),
-              std::string::npos);
+    EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("not a regular file"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(Campaign::journalFile(folder_))) << "no run was made";
 }
 

@@ -56,7 +56,7 @@
 namespace ob = ompl::base;
 using namespace ompl_mfa;
 using namespace ompl_mfa::benchmark;
-using namespace ompl_mfa_test;
+using namespace ompl_mfa::test;
 using ompl_mfa::test::inputErrorOf;
 
 namespace
@@ -242,8 +242,7 @@ TEST_F(Locale, LogsAreWrittenAndReadTheSame)
     const auto expectSame = [&](const std::string &where)
     {
         EXPECT_EQ(written(), expected) << where;
-        const BenchmarkLog back =
-            logHeadFrom(campaign::parseJson(campaign::jsonLine(toJson(log))));
+        const BenchmarkLog back = logHeadFrom(campaign::parseJson(campaign::jsonLine(toJson(log))));
         EXPECT_EQ(back.timeLimit, 0.125) << where;
         EXPECT_EQ(back.memoryLimit, 4096.5) << where;
         EXPECT_EQ(back.seed, 1234567U) << where;
@@ -282,8 +281,7 @@ TEST_F(Locale, CampaignsAreTheSame)
         const CampaignResult found = runCampaign(name);
         EXPECT_EQ(textOf(folder_ / (name + ".geometric_Solver.0.path")), path) << name;
         EXPECT_NE(found.log.setup.find("extent: 14.1421\n"), std::string::npos) << name << ": " << found.log.setup;
-        const CampaignRuns back =
-            readCampaignRuns(Campaign::journalFile(folder_ / (name + ".log")));
+        const CampaignRuns back = readCampaignRuns(Campaign::journalFile(folder_ / (name + ".log")));
         ASSERT_EQ(back.records.size(), 2U) << name;
         for (std::size_t i = 0; i < 2; ++i)
         {
@@ -310,9 +308,9 @@ TEST_F(Locale, ARunThatIsMeasuredHereIsTheSame)
     const auto measured = [&settings](RunState &state)
     {
         return measureRun([] { return planarProblem(); },
-                                     [](const ob::SpaceInformationPtr &si)
-                                     { return std::make_shared<ompl::geometric::RRTConnect>(si); },
-                                     settings, 1, state);
+                          [](const ob::SpaceInformationPtr &si)
+                          { return std::make_shared<ompl::geometric::RRTConnect>(si); },
+                          settings, 1, state);
     };
     RunState plain;
     const RunRecord expected = measured(plain);
@@ -353,7 +351,6 @@ TEST_F(Locale, PublishedCostsAreReadWhole)
     settings.timeLimit = 0.05;
     RunState state;
     measureRun([] { return planarProblem(); },
-                          [](const ob::SpaceInformationPtr &si) { return std::make_shared<Publisher>(si); }, settings,
-                          1, state);
+               [](const ob::SpaceInformationPtr &si) { return std::make_shared<Publisher>(si); }, settings, 1, state);
     EXPECT_EQ(state.bestCost.load(), 9.75);
 }

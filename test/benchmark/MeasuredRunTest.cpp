@@ -62,7 +62,7 @@ using ompl_mfa::benchmark::RunState;
 using ompl_mfa::campaign::makeShared;
 using ompl_mfa::campaign::RunLimits;
 using ompl_mfa::campaign::RunProcess;
-using ompl_mfa_test::planarProblem;
+using ompl_mfa::test::planarProblem;
 
 namespace
 {
@@ -168,7 +168,7 @@ TEST(MeasuredRun, HasOmplsPropertiesAndItsOwn)
     }
     EXPECT_EQ(number(record, "solved BOOLEAN"), 1.0);
     EXPECT_NEAR(number(record, "path cost REAL"), number(record, "solution length REAL"), 1e-4);
-    EXPECT_GE(number(record, "path cost REAL"), ompl_mfa_test::planarOptimum() * 0.999);
+    EXPECT_GE(number(record, "path cost REAL"), ompl_mfa::test::planarOptimum() * 0.999);
     EXPECT_LE(number(record, "simplified path cost REAL"), number(record, "path cost REAL") * 1.000001);
     EXPECT_LE(number(record, "time to first solution REAL"), number(record, "time REAL"));
     EXPECT_GE(number(record, "minimum clearance REAL"), -0.01);
@@ -178,7 +178,7 @@ TEST(MeasuredRun, CountsChecksOfTheSolveOnly)
 {
     const auto planner = [](const ob::SpaceInformationPtr &si)
     {
-        return std::make_shared<ompl_mfa_test::TestPlanner>(si, "Counting",
+        return std::make_shared<ompl_mfa::test::TestPlanner>(si, "Counting",
                                                             [si](const ob::PlannerTerminationCondition &)
                                                             {
                                                                 ob::ScopedState<> state(si->getStateSpace());
@@ -261,7 +261,7 @@ TEST(MeasuredRun, ShowsTheFirstTenMilliseconds)
     RunSettings settings;
     settings.timeLimit = 0.05;
     // A planner that returns at once leaves no doubt about a busy machine: its series is continued on the grid.
-    const auto planner = ompl_mfa_test::testPlanner(
+    const auto planner = ompl_mfa::test::testPlanner(
         "Quick", [](const ob::PlannerTerminationCondition &) { return ob::PlannerStatus::TIMEOUT; });
     const RunRecord record = run(planner, settings, 2);
     const auto early = std::count_if(record.progress.begin(), record.progress.end(),
@@ -355,7 +355,7 @@ TEST(MeasuredRun, TheTimeIsThePlannersOwn)
 
 TEST(MeasuredRun, AThrowingPlannerIsACrash)
 {
-    const RunRecord record = run(ompl_mfa_test::throwingPlanner(), shortRun(), 1);
+    const RunRecord record = run(ompl_mfa::test::throwingPlanner(), shortRun(), 1);
     EXPECT_EQ(record.termination, ompl_mfa::campaign::RunTermination::Exception);
     EXPECT_EQ(number(record, "status ENUM"), static_cast<double>(ob::PlannerStatus::CRASH));
 }

@@ -68,7 +68,7 @@ namespace
 
 TEST(PathMetrics, ResampledStatesLieAtEqualDistances)
 {
-    const auto setup = ompl_mfa_test::planarProblem();
+    const auto setup = ompl_mfa::test::planarProblem();
     setup->getSpaceInformation()->setup();
     auto path = pathThrough(*setup, {{0, 0}, {3, 0}, {3, 0.1}, {3, 4}});
     auto resampled = ompl_mfa::benchmark::resamplePath(path, 0.5);
@@ -83,7 +83,7 @@ TEST(PathMetrics, ResampledStatesLieAtEqualDistances)
 
 TEST(PathMetrics, DegeneratePathsAreLeftAlone)
 {
-    const auto setup = ompl_mfa_test::planarProblem();
+    const auto setup = ompl_mfa::test::planarProblem();
     setup->getSpaceInformation()->setup();
     EXPECT_EQ(ompl_mfa::benchmark::resamplePath(pathThrough(*setup, {{1, 1}}), 0.1).getStateCount(), 1u);
     EXPECT_EQ(ompl_mfa::benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}}), 0.1).getStateCount(), 2u);
@@ -96,7 +96,7 @@ TEST(PathMetrics, DegeneratePathsAreLeftAlone)
 
 TEST(PathMetrics, MinimumClearanceIsThatBetweenTheVertices)
 {
-    const auto setup = ompl_mfa_test::planarProblem(1.0);
+    const auto setup = ompl_mfa::test::planarProblem(1.0);
     setup->getSpaceInformation()->setup();
     // Passes the disc at distance 2 from the centre, in the middle of its only motion.
     auto path = pathThrough(*setup, {{0, 7}, {10, 7}});
@@ -107,7 +107,7 @@ TEST(PathMetrics, MinimumClearanceIsThatBetweenTheVertices)
 
 TEST(PathMetrics, DoesNotDependOnTheVertices)
 {
-    const auto setup = ompl_mfa_test::planarProblem();
+    const auto setup = ompl_mfa::test::planarProblem();
     setup->getSpaceInformation()->setup();
     auto coarse = pathThrough(*setup, {{0, 1}, {5, 1}, {9, 3}});
     auto fine = pathThrough(*setup, {{0, 1}, {1, 1}, {2.5, 1}, {5, 1}, {7, 2}, {9, 3}});

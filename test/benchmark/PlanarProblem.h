@@ -45,7 +45,7 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
 
-namespace ompl_mfa_test
+namespace ompl_mfa::test
 {
     /* The square [0, 10]^2 without a disc around its centre; clearance is exact. */
     class DiscChecker : public ompl::base::StateValidityChecker
@@ -97,6 +97,6 @@ namespace ompl_mfa_test
         const double tangent = std::sqrt(16.0 - radius * radius);
         return 2.0 * tangent + radius * 2.0 * std::asin(radius / 4.0);
     }
-}  // namespace ompl_mfa_test
+}  // namespace ompl_mfa::test
 
 #endif

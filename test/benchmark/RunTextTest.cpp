@@ -40,8 +40,8 @@
 
 #include <gtest/gtest.h>
 
-using ompl_mfa::campaign::RunTermination;
 using ompl_mfa::benchmark::RunRecord;
+using ompl_mfa::campaign::RunTermination;
 
 TEST(RunText, SaysWhatCameOut)
 {

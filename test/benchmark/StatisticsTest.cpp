@@ -56,7 +56,7 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using namespace ompl_mfa;
 using namespace ompl_mfa::benchmark;
-using namespace ompl_mfa_test;
+using namespace ompl_mfa::test;
 
 namespace
 {

@@ -51,7 +51,7 @@
 
 #include <ompl/base/Planner.h>
 
-namespace ompl_mfa_test
+namespace ompl_mfa::test
 {
     /* A planner whose solve() is a function. It publishes the best cost 7 and a series of values that break parsers. */
     class TestPlanner : public ompl::base::Planner
@@ -141,6 +141,6 @@ namespace ompl_mfa_test
         return testPlanner(
             "Exiting", [](const ompl::base::PlannerTerminationCondition &) -> ompl::base::PlannerStatus { _exit(3); });
     }
-}  // namespace ompl_mfa_test
+}  // namespace ompl_mfa::test
 
 #endif

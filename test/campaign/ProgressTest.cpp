@@ -84,7 +84,7 @@ TEST(Progress, WritesDurationsAsClocksDo)
 
 TEST(Progress, CountsWithoutGroupsOfDigits)
 {
-    const ompl_mfa_test::ForeignStreams foreign;
+    const ompl_mfa::test::ForeignStreams foreign;
     std::ostringstream out;
     Progress progress(&out, false, 20000, 9999);
     progress.finished("A, run 5000", "killed", true);

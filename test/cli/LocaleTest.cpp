@@ -133,14 +133,14 @@ TEST_F(Locale, CommandsReadAndWriteTheSameWhateverStreamsTakeForNumbers)
     EXPECT_NE(expected.find("alpha = 1234.5 "), std::string::npos);
     for (const char *refused : {"--time 0,5: ", "--grace 0,5: ", "--gamma 1,5: "})
         EXPECT_NE(expected.find(refused), std::string::npos) << expected.substr(expected.size() - 600);
-    const ompl_mfa_test::ForeignStreams foreign;
+    const ompl_mfa::test::ForeignStreams foreign;
     EXPECT_EQ(everything(), expected);
 }
 
 TEST_F(Locale, CommandsReadAndWriteTheSameWhateverTheLibraryTakesForNumbers)
 {
     const std::string expected = everything();
-    const ompl_mfa_test::ForeignLibrary foreign;
+    const ompl_mfa::test::ForeignLibrary foreign;
     if (!foreign.isThere())
         GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
     EXPECT_EQ(everything(), expected);
@@ -158,10 +158,10 @@ TEST_F(Locale, PicturesHavePointsInTheirNumbers)
     {
         const std::string expected = withoutSurface(figure.render(format));
         {
-            const ompl_mfa_test::ForeignStreams foreign;
+            const ompl_mfa::test::ForeignStreams foreign;
             EXPECT_EQ(withoutSurface(figure.render(format)), expected);
         }
-        const ompl_mfa_test::ForeignLibrary foreign;
+        const ompl_mfa::test::ForeignLibrary foreign;
         if (foreign.isThere())
         {
             EXPECT_EQ(withoutSurface(figure.render(format)), expected);

@@ -126,25 +126,25 @@ namespace ompl_mfa::collision
             const auto expected = boxes();
             EXPECT_NEAR(expected.at("scene.yaml")[3], 1234.75, 1e-9);
             EXPECT_NEAR(expected.at("map.bt")[3], 0.25, 1e-9);
-            const ompl_mfa_test::ForeignStreams foreign;
+            const ompl_mfa::test::ForeignStreams foreign;
             expectBoxes(expected);
         }
 
         TEST_F(LocaleTest, WorldsAreTheSameWhateverTheLibraryTakesForNumbers)
         {
             const auto expected = boxes();
-            const ompl_mfa_test::ForeignLibrary foreign;
+            const ompl_mfa::test::ForeignLibrary foreign;
             if (!foreign.isThere())
             {
                 GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
             }
-            const ompl_mfa_test::ForeignStreams streams;
+            const ompl_mfa::test::ForeignStreams streams;
             expectBoxes(expected);
         }
 
         TEST_F(LocaleTest, MessagesNameNumbersAsTheyAreWritten)
         {
-            const ompl_mfa_test::ForeignStreams foreign;
+            const ompl_mfa::test::ForeignStreams foreign;
             expectInputError(
                 [this]
                 {

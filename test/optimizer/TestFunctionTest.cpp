@@ -42,7 +42,7 @@
 
 #include "ompl_mfa/InputError.h"
 
-using ompl_mfa::TestFunction;
+using ompl_mfa::optimizer::TestFunction;
 
 TEST(TestFunction, hasTheOptimumOfTheLiterature)
 {
