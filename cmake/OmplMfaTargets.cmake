@@ -26,7 +26,7 @@ endfunction()
 # this out, as tools that read the sources need it, set CMAKE_DISABLE_PRECOMPILE_HEADERS.
 function(ompl_mfa_precompile target)
     # Other compilers are stricter about who may share such a header, and are not what builds every day.
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
         # The option lets ccache see through the precompiled header.
         target_compile_options(${target} PRIVATE -fpch-preprocess)
         target_precompile_headers(${target} PRIVATE ${ARGN})

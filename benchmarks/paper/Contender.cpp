@@ -43,112 +43,112 @@
 #include "paper/PagmoContender.h"
 #include "paper/Recorder.h"
 
-using ompl_mfa::FireflyOptimizer;
-
-namespace
+namespace ompl_mfa::paper
 {
-    using Variant = FireflyOptimizer::Variant;
-    using Alpha = FireflyOptimizer::AlphaSchedule;
-    using Beta = FireflyOptimizer::BetaSchedule;
-
-    /** \brief The generations that BUDGET pays for when each costs N - 1 evaluations. */
-    unsigned int affordableGenerations(unsigned int populationSize)
+    namespace
     {
-        return static_cast<unsigned int>((ompl_mfa::paper::BUDGET - populationSize) / (populationSize - 1));
-    }
+        using Variant = FireflyOptimizer::Variant;
+        using Alpha = FireflyOptimizer::AlphaSchedule;
+        using Beta = FireflyOptimizer::BetaSchedule;
 
-    FireflyOptimizer::Settings ablated(const std::string &algorithm)
-    {
-        FireflyOptimizer::Settings settings;
-        if (algorithm == "no_eq13")
-            settings.alphaSchedule = Alpha::Constant;
-        else if (algorithm == "no_eq14")
-            settings.betaSchedule = Beta::Constant;
-        else if (algorithm == "no_trials")
-            settings.trialVectors.fill(false);
-        else
+        /** \brief The generations that BUDGET pays for when each costs N - 1 evaluations. */
+        unsigned int affordableGenerations(unsigned int populationSize)
         {
-            settings.trialVectors.at(static_cast<std::size_t>(std::stoi(algorithm.substr(5)) - 8)) = false;
-            // What the trial vector would have cost pays for further generations.
-            settings.generations = 60;
+            return static_cast<unsigned int>((paper::BUDGET - populationSize) / (populationSize - 1));
         }
-        return settings;
-    }
 
-    /** \brief Settings of a firefly algorithm, its epoch stretched to the whole budget. */
-    FireflyOptimizer::Settings fireflySettings(const std::string &algorithm)
-    {
-        FireflyOptimizer::Settings settings;
-        const bool isAblation = algorithm.rfind("no_", 0) == 0;
-        if (isAblation)
-            settings = ablated(algorithm);
-        if (algorithm == "mfa" || (isAblation && algorithm != "no_trials"))
+        FireflyOptimizer::Settings ablated(const std::string &algorithm)
+        {
+            FireflyOptimizer::Settings settings;
+            if (algorithm == "no_eq13")
+                settings.alphaSchedule = Alpha::Constant;
+            else if (algorithm == "no_eq14")
+                settings.betaSchedule = Beta::Constant;
+            else if (algorithm == "no_trials")
+                settings.trialVectors.fill(false);
+            else
+            {
+                settings.trialVectors.at(static_cast<std::size_t>(std::stoi(algorithm.substr(5)) - 8)) = false;
+                // What the trial vector would have cost pays for further generations.
+                settings.generations = 60;
+            }
             return settings;
-        if (!isAblation)
-            settings.variant = Variant::FA;
-        if (algorithm == "fa_yang")
-        {
-            // n = 20, alpha 0.5, beta_min 0.2, gamma 1, as in Yang's reference program.
-            settings.populationSize = 20;
-            settings.alpha = 0.5;
-            settings.betaMin = 0.2;
-            settings.gamma = 1.0;
-            settings.alphaSchedule = Alpha::Yang;
         }
-        else if (algorithm == "fa_linear")
-        {
-            settings.alphaSchedule = Alpha::Linear;
-        }
-        else if (algorithm == "fa_long")
-        {
-            // FA is better off when everyone attracts everyone: MFA shall not win by a gamma that hurts FA.
-            settings.gamma = 0.005;
-        }
-        settings.generations = affordableGenerations(settings.populationSize);
-        return settings;
-    }
 
-    ompl_mfa::paper::Run runFireflies(const FireflyOptimizer::Settings &settings, ompl_mfa::paper::Recorder &recorder,
-                                      const Eigen::VectorXd &lower, const Eigen::VectorXd &upper, std::uint64_t seed)
+        /** \brief Settings of a firefly algorithm, its epoch stretched to the whole budget. */
+        FireflyOptimizer::Settings fireflySettings(const std::string &algorithm)
+        {
+            FireflyOptimizer::Settings settings;
+            const bool isAblation = algorithm.rfind("no_", 0) == 0;
+            if (isAblation)
+                settings = ablated(algorithm);
+            if (algorithm == "mfa" || (isAblation && algorithm != "no_trials"))
+                return settings;
+            if (!isAblation)
+                settings.variant = Variant::FA;
+            if (algorithm == "fa_yang")
+            {
+                // n = 20, alpha 0.5, beta_min 0.2, gamma 1, as in Yang's reference program.
+                settings.populationSize = 20;
+                settings.alpha = 0.5;
+                settings.betaMin = 0.2;
+                settings.gamma = 1.0;
+                settings.alphaSchedule = Alpha::Yang;
+            }
+            else if (algorithm == "fa_linear")
+            {
+                settings.alphaSchedule = Alpha::Linear;
+            }
+            else if (algorithm == "fa_long")
+            {
+                // FA is better off when everyone attracts everyone: MFA shall not win by a gamma that hurts FA.
+                settings.gamma = 0.005;
+            }
+            settings.generations = affordableGenerations(settings.populationSize);
+            return settings;
+        }
+
+        paper::Run runFireflies(const FireflyOptimizer::Settings &settings, paper::Recorder &recorder,
+                                const Eigen::VectorXd &lower, const Eigen::VectorXd &upper, std::uint64_t seed)
+        {
+            FireflyOptimizer optimizer(settings, lower, upper, seed);
+            const auto isSpent = [&recorder] { return recorder.isSpent(); };
+            while (optimizer.step(recorder, isSpent))
+            {
+            }
+            auto run = recorder.finish();
+            run.population = optimizer.population();
+            return run;
+        }
+    }  // namespace
+
+    const std::vector<std::string> &contenders()
     {
-        FireflyOptimizer optimizer(settings, lower, upper, seed);
-        const auto isSpent = [&recorder] { return recorder.isSpent(); };
-        while (optimizer.step(recorder, isSpent))
-        {
-        }
-        auto run = recorder.finish();
-        run.population = optimizer.population();
-        return run;
+        static const std::vector<std::string> names{"ga",  "fa", "mfa",  "fa_yang", "fa_linear", "fa_long",
+                                                    "pso", "de", "sade", "cmaes",   "abc",       "gwo"};
+        return names;
     }
-}  // namespace
 
-const std::vector<std::string> &ompl_mfa::paper::contenders()
-{
-    static const std::vector<std::string> names{"ga",  "fa", "mfa",  "fa_yang", "fa_linear", "fa_long",
-                                                "pso", "de", "sade", "cmaes",   "abc",       "gwo"};
-    return names;
-}
-
-const std::vector<std::string> &ompl_mfa::paper::ablations()
-{
-    static const std::vector<std::string> names{"no_eq8",  "no_eq9",    "no_eq10", "no_eq11",
-                                                "no_eq12", "no_trials", "no_eq13", "no_eq14"};
-    return names;
-}
-
-ompl_mfa::paper::Run ompl_mfa::paper::runContender(const std::string &algorithm, ObjectiveFunction &objective,
-                                                   const Eigen::VectorXd &lower, const Eigen::VectorXd &upper,
-                                                   double target, std::uint64_t seed)
-{
-    const auto isOneOf = [&algorithm](const std::vector<std::string> &names)
-    { return std::find(names.begin(), names.end(), algorithm) != names.end(); };
-    Recorder recorder(objective, target);
-    if (isPagmoContender(algorithm))
+    const std::vector<std::string> &ablations()
     {
-        runPagmo(algorithm, recorder, lower, upper, static_cast<unsigned int>(seed));
-        return recorder.finish();
+        static const std::vector<std::string> names{"no_eq8",  "no_eq9",    "no_eq10", "no_eq11",
+                                                    "no_eq12", "no_trials", "no_eq13", "no_eq14"};
+        return names;
     }
-    if (!isOneOf(contenders()) && !isOneOf(ablations()))
-        throw std::invalid_argument("runContender: unknown algorithm '" + algorithm + "'");
-    return runFireflies(fireflySettings(algorithm), recorder, lower, upper, seed);
-}
+
+    paper::Run runContender(const std::string &algorithm, ObjectiveFunction &objective, const Eigen::VectorXd &lower,
+                            const Eigen::VectorXd &upper, double target, std::uint64_t seed)
+    {
+        const auto isOneOf = [&algorithm](const std::vector<std::string> &names)
+        { return std::find(names.begin(), names.end(), algorithm) != names.end(); };
+        Recorder recorder(objective, target);
+        if (isPagmoContender(algorithm))
+        {
+            runPagmo(algorithm, recorder, lower, upper, static_cast<unsigned int>(seed));
+            return recorder.finish();
+        }
+        if (!isOneOf(contenders()) && !isOneOf(ablations()))
+            throw std::invalid_argument("runContender: unknown algorithm '" + algorithm + "'");
+        return runFireflies(fireflySettings(algorithm), recorder, lower, upper, seed);
+    }
+}  // namespace ompl_mfa::paper

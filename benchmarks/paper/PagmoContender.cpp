@@ -51,90 +51,94 @@
 #include <pagmo/problem.hpp>
 #include <pagmo/types.hpp>
 
-namespace
+namespace ompl_mfa::paper
 {
-    constexpr unsigned int POPULATION = 100;
-    constexpr unsigned int GENERATIONS = (ompl_mfa::paper::BUDGET - POPULATION) / POPULATION;
-
-    /** \brief Above every feasible cost in the study, so that adding it to the violation keeps the order of brightness.
-     */
-    constexpr double INFEASIBLE = 1e9;
-
-    class BudgetSpent : public std::exception
+    namespace
     {
-    };
+        constexpr unsigned int POPULATION = 100;
+        constexpr unsigned int GENERATIONS = (paper::BUDGET - POPULATION) / POPULATION;
 
-    /** \brief The objective as a pagmo problem over the unit cube. */
-    struct UnitCube
-    {
-        ompl_mfa::paper::Recorder *recorder{nullptr};
-        Eigen::VectorXd lower;
-        Eigen::VectorXd range;
+        /** \brief Above every feasible cost in the study, so that adding it to the violation keeps the order of
+         * brightness.
+         */
+        constexpr double INFEASIBLE = 1e9;
 
-        pagmo::vector_double fitness(const pagmo::vector_double &x) const
+        class BudgetSpent : public std::exception
         {
-            if (recorder->isSpent())
-                throw BudgetSpent();
-            const Eigen::Map<const Eigen::VectorXd> unit(x.data(), static_cast<Eigen::Index>(x.size()));
-            const Eigen::VectorXd point = lower + range.cwiseProduct(unit);
-            const auto brightness = recorder->evaluate(point, nullptr);
-            return {brightness.isFeasible() ? brightness.cost : INFEASIBLE + brightness.violation};
-        }
+        };
 
-        std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const
+        /** \brief The objective as a pagmo problem over the unit cube. */
+        struct UnitCube
         {
-            const auto size = static_cast<std::size_t>(lower.size());
-            return {pagmo::vector_double(size, 0.0), pagmo::vector_double(size, 1.0)};
-        }
-    };
+            paper::Recorder *recorder{nullptr};
+            Eigen::VectorXd lower;
+            Eigen::VectorXd range;
 
-    pagmo::algorithm makeAlgorithm(const std::string &name, unsigned int dimension, unsigned int seed)
-    {
-        constexpr double CONVERGED = 1e-12;
-        if (name == "ga")
-            return pagmo::algorithm(
-                pagmo::sga(GENERATIONS, 0.9, 10.0, 1.0 / dimension, 20.0, 2U, "sbx", "polynomial", "tournament", seed));
-        if (name == "pso")
-            return pagmo::algorithm(pagmo::pso(GENERATIONS, 0.7298, 2.05, 2.05, 0.5, 5U, 2U, 4U, false, seed));
-        if (name == "de")
-            return pagmo::algorithm(pagmo::de(GENERATIONS, 0.8, 0.9, 2U, CONVERGED, CONVERGED, seed));
-        if (name == "sade")
-            return pagmo::algorithm(pagmo::sade(GENERATIONS, 2U, 1U, CONVERGED, CONVERGED, false, seed));
-        if (name == "cmaes")
-            return pagmo::algorithm(
-                pagmo::cmaes(GENERATIONS, -1, -1, -1, -1, 0.3, CONVERGED, CONVERGED, false, true, seed));
-        if (name == "abc")
-            return pagmo::algorithm(pagmo::bee_colony(GENERATIONS / 2, 20U, seed));
-        return pagmo::algorithm(pagmo::gwo(GENERATIONS, seed));
-    }
-}  // namespace
+            pagmo::vector_double fitness(const pagmo::vector_double &x) const
+            {
+                if (recorder->isSpent())
+                    throw BudgetSpent();
+                const Eigen::Map<const Eigen::VectorXd> unit(x.data(), static_cast<Eigen::Index>(x.size()));
+                const Eigen::VectorXd point = lower + range.cwiseProduct(unit);
+                const auto brightness = recorder->evaluate(point, nullptr);
+                return {brightness.isFeasible() ? brightness.cost : INFEASIBLE + brightness.violation};
+            }
 
-bool ompl_mfa::paper::isPagmoContender(const std::string &algorithm)
-{
-    for (const char *name : {"ga", "pso", "de", "sade", "cmaes", "abc", "gwo"})
-    {
-        if (algorithm == name)
-            return true;
-    }
-    return false;
-}
+            std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const
+            {
+                const auto size = static_cast<std::size_t>(lower.size());
+                return {pagmo::vector_double(size, 0.0), pagmo::vector_double(size, 1.0)};
+            }
+        };
 
-void ompl_mfa::paper::runPagmo(const std::string &algorithm, Recorder &recorder, const Eigen::VectorXd &lower,
-                               const Eigen::VectorXd &upper, unsigned int seed)
-{
-    const pagmo::problem problem(UnitCube{&recorder, lower, upper - lower});
-    const auto dimension = static_cast<unsigned int>(lower.size());
-    try
-    {
-        for (unsigned int restart = 0; !recorder.isSpent(); ++restart)
+        pagmo::algorithm makeAlgorithm(const std::string &name, unsigned int dimension, unsigned int seed)
         {
-            const unsigned int restartSeed = seed + 1000003U * restart;
-            makeAlgorithm(algorithm, dimension, restartSeed)
-                .evolve(pagmo::population(problem, POPULATION, restartSeed));
+            constexpr double CONVERGED = 1e-12;
+            if (name == "ga")
+                return pagmo::algorithm(pagmo::sga(GENERATIONS, 0.9, 10.0, 1.0 / dimension, 20.0, 2U, "sbx",
+                                                   "polynomial", "tournament", seed));
+            if (name == "pso")
+                return pagmo::algorithm(pagmo::pso(GENERATIONS, 0.7298, 2.05, 2.05, 0.5, 5U, 2U, 4U, false, seed));
+            if (name == "de")
+                return pagmo::algorithm(pagmo::de(GENERATIONS, 0.8, 0.9, 2U, CONVERGED, CONVERGED, seed));
+            if (name == "sade")
+                return pagmo::algorithm(pagmo::sade(GENERATIONS, 2U, 1U, CONVERGED, CONVERGED, false, seed));
+            if (name == "cmaes")
+                return pagmo::algorithm(
+                    pagmo::cmaes(GENERATIONS, -1, -1, -1, -1, 0.3, CONVERGED, CONVERGED, false, true, seed));
+            if (name == "abc")
+                return pagmo::algorithm(pagmo::bee_colony(GENERATIONS / 2, 20U, seed));
+            return pagmo::algorithm(pagmo::gwo(GENERATIONS, seed));
+        }
+    }  // namespace
+
+    bool isPagmoContender(const std::string &algorithm)
+    {
+        for (const char *name : {"ga", "pso", "de", "sade", "cmaes", "abc", "gwo"})
+        {
+            if (algorithm == name)
+                return true;
+        }
+        return false;
+    }
+
+    void runPagmo(const std::string &algorithm, Recorder &recorder, const Eigen::VectorXd &lower,
+                  const Eigen::VectorXd &upper, unsigned int seed)
+    {
+        const pagmo::problem problem(UnitCube{&recorder, lower, upper - lower});
+        const auto dimension = static_cast<unsigned int>(lower.size());
+        try
+        {
+            for (unsigned int restart = 0; !recorder.isSpent(); ++restart)
+            {
+                const unsigned int restartSeed = seed + 1000003U * restart;
+                makeAlgorithm(algorithm, dimension, restartSeed)
+                    .evolve(pagmo::population(problem, POPULATION, restartSeed));
+            }
+        }
+        catch (const BudgetSpent &)
+        {
+            // The recorder holds the result.
         }
     }
-    catch (const BudgetSpent &)
-    {
-        // The recorder holds the result.
-    }
-}
+}  // namespace ompl_mfa::paper

@@ -44,107 +44,109 @@
 #include "paper/Study.h"
 #include "paper/StudyRuns.h"
 
-using ompl_mfa::FireflyOptimizer;
 using ompl_mfa::optimizer::TestFunction;
 
-namespace
+namespace ompl_mfa::paper
 {
-    struct Job
+    namespace
     {
-        std::string function;
-        unsigned int dimension;
-        bool moved;
-        std::string algorithm;
-        unsigned int run;
-    };
-
-    /** \brief Every coordinate of the optimum moves down by 5 to 15 % of the cube's edge, other each run. */
-    Eigen::VectorXd drawShift(const Job &job)
-    {
-        const TestFunction function(job.function, job.dimension);
-        ompl_mfa::RandomSource random(job.run);
-        Eigen::VectorXd shift = Eigen::VectorXd::Zero(job.dimension);
-        for (unsigned int k = 0; job.moved && k < job.dimension; ++k)
-            shift[k] = -(0.05 + 0.1 * random.uniform()) * (function.upper() - function.lower())[k];
-        return shift;
-    }
-
-    std::vector<Job> makeJobs(unsigned int runs)
-    {
-        std::vector<Job> jobs;
-        for (const auto &function : TestFunction::names())
+        struct Job
         {
-            for (const unsigned int dimension : {2U, 10U, 30U})
+            std::string function;
+            unsigned int dimension;
+            bool moved;
+            std::string algorithm;
+            unsigned int run;
+        };
+
+        /** \brief Every coordinate of the optimum moves down by 5 to 15 % of the cube's edge, other each run. */
+        Eigen::VectorXd drawShift(const Job &job)
+        {
+            const TestFunction function(job.function, job.dimension);
+            RandomSource random(job.run);
+            Eigen::VectorXd shift = Eigen::VectorXd::Zero(job.dimension);
+            for (unsigned int k = 0; job.moved && k < job.dimension; ++k)
+                shift[k] = -(0.05 + 0.1 * random.uniform()) * (function.upper() - function.lower())[k];
+            return shift;
+        }
+
+        std::vector<Job> makeJobs(unsigned int runs)
+        {
+            std::vector<Job> jobs;
+            for (const auto &function : TestFunction::names())
             {
-                if (function == "sinc" && dimension != 2)
-                    continue;
-                for (const auto &algorithm : ompl_mfa::paper::contenders())
+                for (const unsigned int dimension : {2U, 10U, 30U})
                 {
-                    for (unsigned int run = 1; run <= runs; ++run)
+                    if (function == "sinc" && dimension != 2)
+                        continue;
+                    for (const auto &algorithm : paper::contenders())
                     {
-                        jobs.push_back({function, dimension, true, algorithm, run});
-                        if (algorithm == "mfa" || algorithm == "fa" || algorithm == "de")
-                            jobs.push_back({function, dimension, false, algorithm, run});
+                        for (unsigned int run = 1; run <= runs; ++run)
+                        {
+                            jobs.push_back({function, dimension, true, algorithm, run});
+                            if (algorithm == "mfa" || algorithm == "fa" || algorithm == "de")
+                                jobs.push_back({function, dimension, false, algorithm, run});
+                        }
                     }
                 }
             }
+            return jobs;
         }
-        return jobs;
-    }
 
-    double errorOf(const Job &job)
-    {
-        TestFunction function(job.function, job.dimension, drawShift(job));
-        const ompl_mfa::paper::Run run =
-            ompl_mfa::paper::runContender(job.algorithm, function, function.lower(), function.upper(), -1e300, job.run);
-        const double optimum = function.evaluate(function.optimum(), nullptr).cost;
-        return std::max(0.0, run.best.cost - optimum);
-    }
-
-    /** \brief The populations of Figs. 5 and 6: for each algorithm the run of median share near the optimum. */
-    void writePopulations(const ompl_mfa::paper::StudyOptions &options)
-    {
-        auto out = ompl_mfa::paper::openTable(options, "populations.csv", "algorithm,run,share,x,y");
-        for (const auto variant : {FireflyOptimizer::Variant::FA, FireflyOptimizer::Variant::MFA})
+        double errorOf(const Job &job)
         {
-            for (unsigned int run = 1; run <= 30; ++run)
+            TestFunction function(job.function, job.dimension, drawShift(job));
+            const paper::Run run =
+                paper::runContender(job.algorithm, function, function.lower(), function.upper(), -1e300, job.run);
+            const double optimum = function.evaluate(function.optimum(), nullptr).cost;
+            return std::max(0.0, run.best.cost - optimum);
+        }
+
+        /** \brief The populations of Figs. 5 and 6: for each algorithm the run of median share near the optimum. */
+        void writePopulations(const paper::StudyOptions &options)
+        {
+            auto out = paper::openTable(options, "populations.csv", "algorithm,run,share,x,y");
+            for (const auto variant : {FireflyOptimizer::Variant::FA, FireflyOptimizer::Variant::MFA})
             {
-                TestFunction function("sinc", 2);
-                FireflyOptimizer::Settings settings;
-                settings.variant = variant;
-                FireflyOptimizer optimizer(settings, function.lower(), function.upper(), run);
-                for (unsigned int generation = 0; generation <= settings.generations; ++generation)
-                    optimizer.step(function, [] { return false; });
-                const auto &x = optimizer.population();
-                double near = 0.0;
-                for (Eigen::Index i = 0; i < x.cols(); ++i)
-                    near += function.isNearOptimum(x.col(i)) ? 1.0 : 0.0;
-                for (Eigen::Index i = 0; i < x.cols(); ++i)
-                    out << (variant == FireflyOptimizer::Variant::FA ? "fa," : "mfa,") << run << ","
-                        << near / settings.populationSize << "," << x(0, i) << "," << x(1, i) << "\n";
+                for (unsigned int run = 1; run <= 30; ++run)
+                {
+                    TestFunction function("sinc", 2);
+                    FireflyOptimizer::Settings settings;
+                    settings.variant = variant;
+                    FireflyOptimizer optimizer(settings, function.lower(), function.upper(), run);
+                    for (unsigned int generation = 0; generation <= settings.generations; ++generation)
+                        optimizer.step(function, [] { return false; });
+                    const auto &x = optimizer.population();
+                    double near = 0.0;
+                    for (Eigen::Index i = 0; i < x.cols(); ++i)
+                        near += function.isNearOptimum(x.col(i)) ? 1.0 : 0.0;
+                    for (Eigen::Index i = 0; i < x.cols(); ++i)
+                        out << (variant == FireflyOptimizer::Variant::FA ? "fa," : "mfa,") << run << ","
+                            << near / settings.populationSize << "," << x(0, i) << "," << x(1, i) << "\n";
+                }
             }
         }
-    }
-}  // namespace
+    }  // namespace
 
-void ompl_mfa::paper::studyFunctions(const StudyOptions &options)
-{
-    const auto jobs = makeJobs(options.functionRuns);
-    std::vector<StudyRun> runs;
-    runs.reserve(jobs.size());
-    for (const Job &job : jobs)
-        runs.push_back({{{"function", job.function},
-                         {"dimension", job.dimension},
-                         {"moved", job.moved},
-                         {"algorithm", job.algorithm},
-                         {"run", job.run}},
-                        [job] {
-                            return Json{{"error", numberToJson(errorOf(job))}};
-                        }});
-    const std::vector<Json> results = makeStudyRuns(options, "functions", "", runs);
-    auto out = openTable(options, "functions.csv", "function,dimension,moved,algorithm,run,error");
-    for (std::size_t i = 0; i < jobs.size(); ++i)
-        out << jobs[i].function << "," << jobs[i].dimension << "," << (jobs[i].moved ? 1 : 0) << ","
-            << jobs[i].algorithm << "," << jobs[i].run << "," << numberFrom(results[i].at("error")) << "\n";
-    writePopulations(options);
-}
+    void studyFunctions(const StudyOptions &options)
+    {
+        const auto jobs = makeJobs(options.functionRuns);
+        std::vector<StudyRun> runs;
+        runs.reserve(jobs.size());
+        for (const Job &job : jobs)
+            runs.push_back({{{"function", job.function},
+                             {"dimension", job.dimension},
+                             {"moved", job.moved},
+                             {"algorithm", job.algorithm},
+                             {"run", job.run}},
+                            [job] {
+                                return Json{{"error", numberToJson(errorOf(job))}};
+                            }});
+        const std::vector<Json> results = makeStudyRuns(options, "functions", "", runs);
+        auto out = openTable(options, "functions.csv", "function,dimension,moved,algorithm,run,error");
+        for (std::size_t i = 0; i < jobs.size(); ++i)
+            out << jobs[i].function << "," << jobs[i].dimension << "," << (jobs[i].moved ? 1 : 0) << ","
+                << jobs[i].algorithm << "," << jobs[i].run << "," << numberFrom(results[i].at("error")) << "\n";
+        writePopulations(options);
+    }
+}  // namespace ompl_mfa::paper

@@ -50,110 +50,111 @@
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 
-namespace
+namespace ompl_mfa::paper
 {
-    using ompl_mfa::campaign::RunProcess;
-    using ompl_mfa::campaign::RunTermination;
-    using ompl_mfa::paper::Json;
-    using ompl_mfa::paper::StudyRun;
-
-    std::string nameOf(const Json &key)
+    namespace
     {
-        std::string name;
-        for (const auto &field : key.items())
-            name += (name.empty() ? "" : ", ") +
-                    (field.value().is_string() ? field.value().get<std::string>() : field.value().dump());
-        return name;
-    }
+        using campaign::RunProcess;
+        using campaign::RunTermination;
+        using paper::Json;
+        using paper::StudyRun;
 
-    ompl_mfa::campaign::Task makeTask(const StudyRun &run)
-    {
-        ompl_mfa::campaign::Task task;
-        task.key = run.key;
-        task.name = nameOf(run.key);
-        task.group = run.key.at("algorithm");
-        task.makeWork = [make = run.make, name = task.name]
+        std::string nameOf(const Json &key)
         {
-            ompl_mfa::campaign::Work work;
-            work.state = ompl_mfa::campaign::makeShared<ompl_mfa::campaign::RunState>();
-            // Evaluations are what a run may spend, not time.
-            work.limits.prepare = std::numeric_limits<double>::infinity();
-            work.body = [make] { return ompl_mfa::campaign::jsonLine(make()); };
-            work.report = [name](const RunProcess &process)
+            std::string name;
+            for (const auto &field : key.items())
+                name += (name.empty() ? "" : ", ") +
+                        (field.value().is_string() ? field.value().get<std::string>() : field.value().dump());
+            return name;
+        }
+
+        campaign::Task makeTask(const StudyRun &run)
+        {
+            campaign::Task task;
+            task.key = run.key;
+            task.name = nameOf(run.key);
+            task.group = run.key.at("algorithm");
+            task.makeWork = [make = run.make, name = task.name]
             {
-                if (process.termination() != RunTermination::Returned)
-                    throw std::runtime_error(name + ": " +
-                                             describeTermination(process.termination(), process.signal()) +
-                                             (process.lastLine().empty() ? "" : ": " + process.lastLine()));
-                return ompl_mfa::campaign::RunReport{ompl_mfa::campaign::parseJson(process.result()), "made", false};
+                campaign::Work work;
+                work.state = campaign::makeShared<campaign::RunState>();
+                // Evaluations are what a run may spend, not time.
+                work.limits.prepare = std::numeric_limits<double>::infinity();
+                work.body = [make] { return campaign::jsonLine(make()); };
+                work.report = [name](const RunProcess &process)
+                {
+                    if (process.termination() != RunTermination::Returned)
+                        throw std::runtime_error(name + ": " +
+                                                 describeTermination(process.termination(), process.signal()) +
+                                                 (process.lastLine().empty() ? "" : ": " + process.lastLine()));
+                    return campaign::RunReport{campaign::parseJson(process.result()), "made", false};
+                };
+                return work;
             };
-            return work;
-        };
-        return task;
-    }
-}  // namespace
+            return task;
+        }
+    }  // namespace
 
-std::vector<ompl_mfa::paper::Json> ompl_mfa::paper::makeStudyRuns(const StudyOptions &options, const std::string &part,
-                                                                  const std::string &identity,
-                                                                  const std::vector<StudyRun> &runs)
-{
-    std::vector<campaign::Task> tasks;
-    std::map<std::string, std::size_t> places;
-    for (const StudyRun &run : runs)
+    std::vector<Json> makeStudyRuns(const StudyOptions &options, const std::string &part,
+                                           const std::string &identity, const std::vector<StudyRun> &runs)
     {
-        places[campaign::jsonLine(run.key)] = tasks.size();
-        tasks.push_back(makeTask(run));
+        std::vector<campaign::Task> tasks;
+        std::map<std::string, std::size_t> places;
+        for (const StudyRun &run : runs)
+        {
+            places[campaign::jsonLine(run.key)] = tasks.size();
+            tasks.push_back(makeTask(run));
+        }
+        campaign::RunOptions runOptions;
+        runOptions.journal = options.outputFolder + "/" + part + ".journal";
+        runOptions.jobs = options.jobs;
+        runOptions.resume = options.resume;
+        runOptions.overwrite = options.overwrite;
+        runOptions.terminal = isatty(STDERR_FILENO) != 0;
+        runOptions.progress = runOptions.terminal ? &std::cerr : nullptr;
+        campaign::JournalHeader header;
+        header.campaign = part + " " + campaign::digestOf({OMPL_MFA_VERSION, identity});
+        const campaign::RunsMade made = campaign::makeRuns(header, tasks, runOptions);
+        if (made.interruptedBy != 0)
+            throw Interrupted(made.interruptedBy, std::to_string(made.missing) + " runs of '" + part +
+                                                      "' are still to be made; --resume continues");
+
+        std::vector<Json> results(runs.size());
+        campaign::readJournal(runOptions.journal,
+                              [&](const Json &record, std::size_t)
+                              {
+                                  Json key;
+                                  for (const auto &field : runs.front().key.items())
+                                      key[field.key()] = record.at(field.key());
+                                  const auto place = places.find(campaign::jsonLine(key));
+                                  if (place != places.end())
+                                      results[place->second] = record;
+                              });
+        return results;
     }
-    campaign::RunOptions runOptions;
-    runOptions.journal = options.outputFolder + "/" + part + ".journal";
-    runOptions.jobs = options.jobs;
-    runOptions.resume = options.resume;
-    runOptions.overwrite = options.overwrite;
-    runOptions.terminal = isatty(STDERR_FILENO) != 0;
-    runOptions.progress = runOptions.terminal ? &std::cerr : nullptr;
-    campaign::JournalHeader header;
-    header.campaign = part + " " + campaign::digestOf({OMPL_MFA_VERSION, identity});
-    const campaign::RunsMade made = campaign::makeRuns(header, tasks, runOptions);
-    if (made.interruptedBy != 0)
-        throw Interrupted(made.interruptedBy, std::to_string(made.missing) + " runs of '" + part +
-                                                  "' are still to be made; --resume continues");
 
-    std::vector<Json> results(runs.size());
-    campaign::readJournal(runOptions.journal,
-                          [&](const Json &record, std::size_t)
-                          {
-                              Json key;
-                              for (const auto &field : runs.front().key.items())
-                                  key[field.key()] = record.at(field.key());
-                              const auto place = places.find(campaign::jsonLine(key));
-                              if (place != places.end())
-                                  results[place->second] = record;
-                          });
-    return results;
-}
+    std::ofstream openTable(const StudyOptions &options, const std::string &name, const std::string &header)
+    {
+        std::ofstream out(options.outputFolder + "/" + name);
+        if (!out)
+            throw InputError("cannot write '" + options.outputFolder + "/" + name + "'");
+        out.imbue(std::locale::classic());
+        out << std::setprecision(10) << header << "\n";
+        return out;
+    }
 
-std::ofstream ompl_mfa::paper::openTable(const StudyOptions &options, const std::string &name,
-                                         const std::string &header)
-{
-    std::ofstream out(options.outputFolder + "/" + name);
-    if (!out)
-        throw InputError("cannot write '" + options.outputFolder + "/" + name + "'");
-    out.imbue(std::locale::classic());
-    out << std::setprecision(10) << header << "\n";
-    return out;
-}
+    paper::Json numberToJson(double value)
+    {
+        return std::isfinite(value) ? Json(value) : Json(text::numberText(value));
+    }
 
-ompl_mfa::paper::Json ompl_mfa::paper::numberToJson(double value)
-{
-    return std::isfinite(value) ? Json(value) : Json(ompl_mfa::text::numberText(value));
-}
-
-double ompl_mfa::paper::numberFrom(const Json &value)
-{
-    double number = 0.0;
-    if (!value.is_string())
-        return value.get<double>();
-    if (!ompl_mfa::text::readNumber(value.get<std::string>(), number))
-        throw std::invalid_argument("not a number: " + value.get<std::string>());
-    return number;
-}
+    double numberFrom(const Json &value)
+    {
+        double number = 0.0;
+        if (!value.is_string())
+            return value.get<double>();
+        if (!text::readNumber(value.get<std::string>(), number))
+            throw std::invalid_argument("not a number: " + value.get<std::string>());
+        return number;
+    }
+}  // namespace ompl_mfa::paper

@@ -48,85 +48,87 @@
 #include "ompl_mfa/optimizer/RandomSource.h"
 
 using ompl_mfa::oracle::Obstacle;
-using ompl_mfa::paper::PathScene;
-using ompl_mfa::paper::Point;
 
-namespace
+namespace ompl_mfa::paper
 {
-    constexpr double ROBOT_RADIUS = 0.3;
-    constexpr double EDGE = 20.0;
-
-    Obstacle toObstacle(const ompl_mfa::collision::CollisionObject &object, const std::string &file)
+    namespace
     {
-        const Point centre = object.pose.translation().head<2>();
-        const Eigen::Matrix3d turn = object.pose.linear();
-        if (const auto *cylinder = dynamic_cast<const fcl::Cylinderd *>(object.geometry.get()))
-            return ompl_mfa::oracle::disc(centre, cylinder->radius);
-        if (const auto *box = dynamic_cast<const fcl::Boxd *>(object.geometry.get()))
-            return ompl_mfa::oracle::rectangle(centre, box->side.head<2>(), std::atan2(turn(1, 0), turn(0, 0)));
-        throw ompl_mfa::InputError(file + ": obstacle '" + object.id +
-                                   "' is not accepted; it must be a cylinder or a box");
-    }
+        constexpr double ROBOT_RADIUS = 0.3;
+        constexpr double EDGE = 20.0;
 
-    ompl_mfa::oracle::Scene emptyWorld()
-    {
-        ompl_mfa::oracle::Scene world;
-        world.robotRadius = ROBOT_RADIUS;
-        world.lower = {0.0, 0.0};
-        world.upper = {EDGE, EDGE};
-        return world;
-    }
-
-    Obstacle drawObstacle(ompl_mfa::RandomSource &random, bool round)
-    {
-        const Point centre(EDGE * random.uniform(), EDGE * random.uniform());
-        if (round)
-            return ompl_mfa::oracle::disc(centre, 0.6 + 1.2 * random.uniform());
-        const double length = 1.5 + 4.5 * random.uniform();
-        const double width = 0.5 + 1.0 * random.uniform();
-        return ompl_mfa::oracle::rectangle(centre, {length, width}, M_PI * random.uniform());
-    }
-
-    bool isWorthPlanning(const PathScene &scene)
-    {
-        const ompl_mfa::paper::PlanarCollision collision(scene.world);
-        if (!collision.isValid(scene.start) || !collision.isValid(scene.goal))
-            return false;
-        if (collision.invalidLength(scene.start, scene.goal) == 0.0)
-            return false;
-        return std::isfinite(ompl_mfa::oracle::shortestPath(scene.world, scene.start, scene.goal).length);
-    }
-}  // namespace
-
-std::vector<PathScene> ompl_mfa::paper::paperScenes(const std::string &worldFile)
-{
-    oracle::Scene world = emptyWorld();
-    const collision::Scene scene = collision::loadPlanningScene(worldFile);
-    for (const auto &object : scene.objects())
-        world.obstacles.push_back(toObstacle(object, worldFile));
-    const Point goal(20.0, 20.0);
-    return {{"paper_1", world, {0.3, 2.2}, goal},
-            {"paper_2", world, {0.5, 13.0}, goal},
-            {"paper_3", world, {8.0, 1.0}, goal},
-            {"paper_4", world, {13.0, 5.0}, goal}};
-}
-
-std::vector<PathScene> ompl_mfa::paper::seededScenes(unsigned int count)
-{
-    std::vector<PathScene> scenes;
-    scenes.reserve(count);
-    for (unsigned int i = 1; i <= count; ++i)
-    {
-        RandomSource random(i);
-        PathScene scene;
-        do
+        Obstacle toObstacle(const collision::CollisionObject &object, const std::string &file)
         {
-            scene = {
-                "seeded_" + std::string(i < 10 ? "0" : "") + std::to_string(i), emptyWorld(), {1.0, 1.0}, {19.0, 19.0}};
-            for (unsigned int k = 0; k < 3 + i; ++k)
-                scene.world.obstacles.push_back(drawObstacle(random, k % 2 == 0));
-        } while (!isWorthPlanning(scene));
-        scenes.push_back(scene);
+            const Point centre = object.pose.translation().head<2>();
+            const Eigen::Matrix3d turn = object.pose.linear();
+            if (const auto *cylinder = dynamic_cast<const fcl::Cylinderd *>(object.geometry.get()))
+                return oracle::disc(centre, cylinder->radius);
+            if (const auto *box = dynamic_cast<const fcl::Boxd *>(object.geometry.get()))
+                return oracle::rectangle(centre, box->side.head<2>(), std::atan2(turn(1, 0), turn(0, 0)));
+            throw InputError(file + ": obstacle '" + object.id + "' is not accepted; it must be a cylinder or a box");
+        }
+
+        oracle::Scene emptyWorld()
+        {
+            oracle::Scene world;
+            world.robotRadius = ROBOT_RADIUS;
+            world.lower = {0.0, 0.0};
+            world.upper = {EDGE, EDGE};
+            return world;
+        }
+
+        Obstacle drawObstacle(RandomSource &random, bool round)
+        {
+            const Point centre(EDGE * random.uniform(), EDGE * random.uniform());
+            if (round)
+                return oracle::disc(centre, 0.6 + 1.2 * random.uniform());
+            const double length = 1.5 + 4.5 * random.uniform();
+            const double width = 0.5 + 1.0 * random.uniform();
+            return oracle::rectangle(centre, {length, width}, M_PI * random.uniform());
+        }
+
+        bool isWorthPlanning(const PathScene &scene)
+        {
+            const paper::PlanarCollision collision(scene.world);
+            if (!collision.isValid(scene.start) || !collision.isValid(scene.goal))
+                return false;
+            if (collision.invalidLength(scene.start, scene.goal) == 0.0)
+                return false;
+            return std::isfinite(oracle::shortestPath(scene.world, scene.start, scene.goal).length);
+        }
+    }  // namespace
+
+    std::vector<PathScene> paperScenes(const std::string &worldFile)
+    {
+        oracle::Scene world = emptyWorld();
+        const collision::Scene scene = collision::loadPlanningScene(worldFile);
+        for (const auto &object : scene.objects())
+            world.obstacles.push_back(toObstacle(object, worldFile));
+        const Point goal(20.0, 20.0);
+        return {{"paper_1", world, {0.3, 2.2}, goal},
+                {"paper_2", world, {0.5, 13.0}, goal},
+                {"paper_3", world, {8.0, 1.0}, goal},
+                {"paper_4", world, {13.0, 5.0}, goal}};
     }
-    return scenes;
-}
+
+    std::vector<PathScene> seededScenes(unsigned int count)
+    {
+        std::vector<PathScene> scenes;
+        scenes.reserve(count);
+        for (unsigned int i = 1; i <= count; ++i)
+        {
+            RandomSource random(i);
+            PathScene scene;
+            do
+            {
+                scene = {"seeded_" + std::string(i < 10 ? "0" : "") + std::to_string(i),
+                         emptyWorld(),
+                         {1.0, 1.0},
+                         {19.0, 19.0}};
+                for (unsigned int k = 0; k < 3 + i; ++k)
+                    scene.world.obstacles.push_back(drawObstacle(random, k % 2 == 0));
+            } while (!isWorthPlanning(scene));
+            scenes.push_back(scene);
+        }
+        return scenes;
+    }
+}  // namespace ompl_mfa::paper

@@ -49,87 +49,89 @@
 namespace anytime = ompl_mfa::anytime;
 using ompl_mfa::campaign::Json;
 
-namespace
+namespace ompl_mfa::anytime
 {
-    class Campaign : public testing::Test
+    namespace
     {
-    protected:
-        Campaign()
+        class Campaign : public testing::Test
         {
-            options_.journal =
-                std::filesystem::temp_directory_path() / ("anytime-campaign-" + std::to_string(getpid()) + ".jsonl");
-            options_.progress = &progress_;
-        }
+        protected:
+            Campaign()
+            {
+                options_.journal = std::filesystem::temp_directory_path() /
+                                   ("anytime-campaign-" + std::to_string(getpid()) + ".jsonl");
+                options_.progress = &progress_;
+            }
 
-        ~Campaign() override
-        {
-            std::filesystem::remove(options_.journal);
-        }
+            ~Campaign() override
+            {
+                std::filesystem::remove(options_.journal);
+            }
 
-        std::vector<Json> runs() const
-        {
-            std::vector<Json> all;
-            ompl_mfa::campaign::readJournal(options_.journal,
-                                            [&all](const Json &run, std::size_t) { all.push_back(run); });
-            return all;
-        }
+            std::vector<Json> runs() const
+            {
+                std::vector<Json> all;
+                campaign::readJournal(options_.journal, [&all](const Json &run, std::size_t) { all.push_back(run); });
+                return all;
+            }
 
-        anytime::CampaignRequest request_{
-            anytime::selectWorlds("^(wall_gap|dividing_walls)_2d_1$"), {"rrtconnect"}, 2, 5.0, anytime::Clock::CPU};
-        std::ostringstream progress_;
-        ompl_mfa::campaign::RunOptions options_;
-    };
-}  // namespace
+            anytime::CampaignRequest request_{
+                anytime::selectWorlds("^(wall_gap|dividing_walls)_2d_1$"), {"rrtconnect"}, 2, 5.0, anytime::Clock::CPU};
+            std::ostringstream progress_;
+            campaign::RunOptions options_;
+        };
+    }  // namespace
 
-TEST_F(Campaign, MakesEveryRunOnce)
-{
-    EXPECT_EQ(runCampaign(request_, options_).missing, 0U);
-    EXPECT_EQ(runs().size(), 4U);
-    EXPECT_NE(progress_.str().find("4/4  "), std::string::npos) << progress_.str();
-    request_.seeds = 3;
-    runCampaign(request_, options_);
-    EXPECT_EQ(runs().size(), 6U);
-    request_.worlds.pop_back();
-    request_.planners = {"rrtconnect:range=0.1", "rrtconnect"};
-    runCampaign(request_, options_);
-    EXPECT_EQ(runs().size(), 9U);
-    request_.timeLimit = 4.0;
-    request_.seeds = 1;
-    runCampaign(request_, options_);
-    EXPECT_EQ(runs().size(), 11U);
-    options_.overwrite = true;
-    runCampaign(request_, options_);
-    EXPECT_EQ(runs().size(), 2U);
-}
+    TEST_F(Campaign, MakesEveryRunOnce)
+    {
+        EXPECT_EQ(runCampaign(request_, options_).missing, 0U);
+        EXPECT_EQ(runs().size(), 4U);
+        EXPECT_NE(progress_.str().find("4/4  "), std::string::npos) << progress_.str();
+        request_.seeds = 3;
+        runCampaign(request_, options_);
+        EXPECT_EQ(runs().size(), 6U);
+        request_.worlds.pop_back();
+        request_.planners = {"rrtconnect:range=0.1", "rrtconnect"};
+        runCampaign(request_, options_);
+        EXPECT_EQ(runs().size(), 9U);
+        request_.timeLimit = 4.0;
+        request_.seeds = 1;
+        runCampaign(request_, options_);
+        EXPECT_EQ(runs().size(), 11U);
+        options_.overwrite = true;
+        runCampaign(request_, options_);
+        EXPECT_EQ(runs().size(), 2U);
+    }
 
-TEST_F(Campaign, KeepsWhatTheStatisticsRead)
-{
-    request_.planners = {"mfa:slices=3"};
-    request_.timeLimit = 0.2;
-    request_.seeds = 1;
-    runCampaign(request_, options_);
-    const Json run = runs().at(1);
-    EXPECT_EQ(run["world"], request_.worlds[1].name);
-    EXPECT_EQ(run["planner"], "mfa:slices=3");
-    EXPECT_EQ(run["seed"], 1);
-    EXPECT_EQ(run["time_limit"], 0.2);
-    EXPECT_EQ(run["clock"], "cpu");
-    for (const char *field : {"status", "note", "solved", "valid", "cost", "wall", "cpu", "checks", "path_check",
-                              "path_checks", "looks", "longest_gap", "path", "improvements", "family"})
-        EXPECT_TRUE(run.contains(field)) << field;
-    ASSERT_FALSE(run["improvements"].empty());
-    EXPECT_EQ(run["improvements"][0].size(), 4U);
-}
+    TEST_F(Campaign, KeepsWhatTheStatisticsRead)
+    {
+        request_.planners = {"mfa:slices=3"};
+        request_.timeLimit = 0.2;
+        request_.seeds = 1;
+        runCampaign(request_, options_);
+        const Json run = runs().at(1);
+        EXPECT_EQ(run["world"], request_.worlds[1].name);
+        EXPECT_EQ(run["planner"], "mfa:slices=3");
+        EXPECT_EQ(run["seed"], 1);
+        EXPECT_EQ(run["time_limit"], 0.2);
+        EXPECT_EQ(run["clock"], "cpu");
+        for (const char *field : {"status", "note", "solved", "valid", "cost", "wall", "cpu", "checks", "path_check",
+                                  "path_checks", "looks", "longest_gap", "path", "improvements", "family"})
+            EXPECT_TRUE(run.contains(field)) << field;
+        ASSERT_FALSE(run["improvements"].empty());
+        EXPECT_EQ(run["improvements"][0].size(), 4U);
+    }
 
-TEST_F(Campaign, RefusesWhatCannotRun)
-{
-    options_.jobs = 0;
-    EXPECT_THROW(runCampaign(request_, options_), ompl_mfa::InputError);
-    options_.jobs = 1;
-    request_.planners = {"no_such_planner"};
-    EXPECT_THROW(runCampaign(request_, options_), ompl_mfa::InputError);
-    EXPECT_FALSE(std::filesystem::exists(options_.journal));
-    request_.planners = {"rrtconnect:range=much"};
-    EXPECT_THROW(runCampaign(request_, options_), ompl_mfa::InputError);
-    EXPECT_EQ(runs().size(), 0U);
-}
+    TEST_F(Campaign, RefusesWhatCannotRun)
+    {
+        options_.jobs = 0;
+        EXPECT_THROW(runCampaign(request_, options_), InputError);
+        options_.jobs = 1;
+        request_.planners = {"no_such_planner"};
+        EXPECT_THROW(runCampaign(request_, options_), InputError);
+        EXPECT_FALSE(std::filesystem::exists(options_.journal));
+        request_.planners = {"rrtconnect:range=much"};
+        EXPECT_THROW(runCampaign(request_, options_), InputError);
+        EXPECT_EQ(runs().size(), 0U);
+    }
+}  // namespace ompl_mfa::anytime

@@ -48,90 +48,93 @@
 namespace anytime = ompl_mfa::anytime;
 namespace ob = ompl::base;
 
-namespace
+namespace ompl_mfa::anytime
 {
-    /* A planner that only shows a cost that the test sets. */
-    class ShowingPlanner : public ob::Planner
+    namespace
     {
-    public:
-        explicit ShowingPlanner(const ob::SpaceInformationPtr &si)
-          : Planner(si, "Showing")
+        /* A planner that only shows a cost that the test sets. */
+        class ShowingPlanner : public ob::Planner
         {
-            addPlannerProgressProperty("best cost DOUBLE", [this] { return std::to_string(cost); });
+        public:
+            explicit ShowingPlanner(const ob::SpaceInformationPtr &si)
+              : Planner(si, "Showing")
+            {
+                addPlannerProgressProperty("best cost DOUBLE", [this] { return std::to_string(cost); });
+            }
+
+            ob::PlannerStatus solve(const ob::PlannerTerminationCondition &) override
+            {
+                return ob::PlannerStatus::TIMEOUT;
+            }
+
+            std::atomic<double> cost{std::numeric_limits<double>::infinity()};
+        };
+
+        anytime::Problem emptyProblem()
+        {
+            return anytime::makeProblem(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones(), Eigen::Vector2d(0.1, 0.5),
+                                        Eigen::Vector2d(0.9, 0.5), 0.01, [](const double *) { return true; });
         }
 
-        ob::PlannerStatus solve(const ob::PlannerTerminationCondition &) override
+        void waitForCount(const anytime::ImprovementLog &log, std::uint32_t count)
         {
-            return ob::PlannerStatus::TIMEOUT;
+            const double start = anytime::wallTime();
+            while (log.count < count && anytime::wallTime() < start + 20.0)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            ASSERT_EQ(log.count, count);
         }
+    }  // namespace
 
-        std::atomic<double> cost{std::numeric_limits<double>::infinity()};
-    };
-
-    anytime::Problem emptyProblem()
+    TEST(CostTrace, ReadsTheCostThatAPlannerShows)
     {
-        return anytime::makeProblem(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones(), Eigen::Vector2d(0.1, 0.5),
-                                    Eigen::Vector2d(0.9, 0.5), 0.01, [](const double *) { return true; });
+        const auto problem = emptyProblem();
+        ShowingPlanner planner(problem.si);
+        const auto log = std::make_unique<anytime::ImprovementLog>();
+        anytime::CostTrace trace(problem, planner, anytime::Clock::WALL, 100.0, *log);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        EXPECT_EQ(log->count, 0U) << "an infinite cost is no improvement";
+        planner.cost = 3.0;
+        waitForCount(*log, 1);
+        planner.cost = 2.0;
+        waitForCount(*log, 2);
+        planner.cost = 2.5;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        trace.stop();
+        ASSERT_EQ(log->count, 2U) << "a worse cost is no improvement";
+        EXPECT_EQ(log->entries[0].cost, 3.0);
+        EXPECT_EQ(log->entries[1].cost, 2.0);
+        EXPECT_LT(log->entries[0].wall, log->entries[1].wall);
+        EXPECT_GT(trace.looks(), 2U);
     }
 
-    void waitForCount(const anytime::ImprovementLog &log, std::uint32_t count)
+    TEST(CostTrace, HearsTheCallbackAtOnceAndCountsChecks)
     {
-        const double start = anytime::wallTime();
-        while (log.count < count && anytime::wallTime() < start + 20.0)
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        ASSERT_EQ(log.count, count);
+        const auto problem = emptyProblem();
+        const ShowingPlanner planner(problem.si);
+        const auto log = std::make_unique<anytime::ImprovementLog>();
+        {
+            const anytime::CostTrace trace(problem, planner, anytime::Clock::CPU, 100.0, *log);
+            problem.si->checkMotion(problem.pdef->getStartState(0), problem.pdef->getStartState(0));
+            const std::uint64_t checks = problem.checker->checks();
+            problem.pdef->getIntermediateSolutionCallback()(&planner, {}, ob::Cost(1.5));
+            ASSERT_EQ(log->count, 1U);
+            EXPECT_EQ(log->entries[0].cost, 1.5);
+            EXPECT_EQ(log->entries[0].checks, checks);
+            EXPECT_GT(checks, 0U);
+        }
+        EXPECT_FALSE(problem.pdef->getIntermediateSolutionCallback()) << "nobody is left to hear it";
     }
-}  // namespace
 
-TEST(CostTrace, ReadsTheCostThatAPlannerShows)
-{
-    const auto problem = emptyProblem();
-    ShowingPlanner planner(problem.si);
-    const auto log = std::make_unique<anytime::ImprovementLog>();
-    anytime::CostTrace trace(problem, planner, anytime::Clock::WALL, 100.0, *log);
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    EXPECT_EQ(log->count, 0U) << "an infinite cost is no improvement";
-    planner.cost = 3.0;
-    waitForCount(*log, 1);
-    planner.cost = 2.0;
-    waitForCount(*log, 2);
-    planner.cost = 2.5;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    trace.stop();
-    ASSERT_EQ(log->count, 2U) << "a worse cost is no improvement";
-    EXPECT_EQ(log->entries[0].cost, 3.0);
-    EXPECT_EQ(log->entries[1].cost, 2.0);
-    EXPECT_LT(log->entries[0].wall, log->entries[1].wall);
-    EXPECT_GT(trace.looks(), 2U);
-}
-
-TEST(CostTrace, HearsTheCallbackAtOnceAndCountsChecks)
-{
-    const auto problem = emptyProblem();
-    const ShowingPlanner planner(problem.si);
-    const auto log = std::make_unique<anytime::ImprovementLog>();
+    TEST(CostTrace, ExpiresByItsClock)
     {
-        const anytime::CostTrace trace(problem, planner, anytime::Clock::CPU, 100.0, *log);
-        problem.si->checkMotion(problem.pdef->getStartState(0), problem.pdef->getStartState(0));
-        const std::uint64_t checks = problem.checker->checks();
-        problem.pdef->getIntermediateSolutionCallback()(&planner, {}, ob::Cost(1.5));
-        ASSERT_EQ(log->count, 1U);
-        EXPECT_EQ(log->entries[0].cost, 1.5);
-        EXPECT_EQ(log->entries[0].checks, checks);
-        EXPECT_GT(checks, 0U);
+        const auto problem = emptyProblem();
+        const ShowingPlanner planner(problem.si);
+        const auto log = std::make_unique<anytime::ImprovementLog>();
+        anytime::CostTrace wall(problem, planner, anytime::Clock::WALL, 0.02, *log);
+        anytime::CostTrace cpu(problem, planner, anytime::Clock::CPU, 20.0, *log);
+        EXPECT_FALSE(cpu.expired());
+        std::this_thread::sleep_for(std::chrono::milliseconds(25));
+        EXPECT_TRUE(wall.expired());
+        EXPECT_FALSE(cpu.expired()) << "sleeping takes no processor time";
     }
-    EXPECT_FALSE(problem.pdef->getIntermediateSolutionCallback()) << "nobody is left to hear it";
-}
-
-TEST(CostTrace, ExpiresByItsClock)
-{
-    const auto problem = emptyProblem();
-    const ShowingPlanner planner(problem.si);
-    const auto log = std::make_unique<anytime::ImprovementLog>();
-    anytime::CostTrace wall(problem, planner, anytime::Clock::WALL, 0.02, *log);
-    anytime::CostTrace cpu(problem, planner, anytime::Clock::CPU, 20.0, *log);
-    EXPECT_FALSE(cpu.expired());
-    std::this_thread::sleep_for(std::chrono::milliseconds(25));
-    EXPECT_TRUE(wall.expired());
-    EXPECT_FALSE(cpu.expired()) << "sleeping takes no processor time";
-}
+}  // namespace ompl_mfa::anytime

@@ -55,128 +55,131 @@ using anytime::RunResult;
 using ompl_mfa::campaign::Json;
 using ompl_mfa::campaign::RunProcess;
 
-namespace
+namespace ompl_mfa::anytime
 {
-    const anytime::World &world()
+    namespace
     {
-        static const anytime::World WORLD = anytime::selectWorlds("^wall_gap_2d_1$").front();
-        return WORLD;
-    }
-
-    RunRequest request(const std::string &planner = "rrtconnect", double limit = 0.2)
-    {
-        return {&world(), planner, 1, limit, anytime::Clock::CPU};
-    }
-
-    std::unique_ptr<RunProcess> runToEnd(const ompl_mfa::campaign::Work &work)
-    {
-        auto process = std::make_unique<RunProcess>(work.body, work.limits, work.state);
-        process->wait();
-        return process;
-    }
-
-    Json recordOf(const ompl_mfa::campaign::Work &work)
-    {
-        return work.report(*runToEnd(work)).record;
-    }
-
-    Json recordOf(const anytime::RunBody &body)
-    {
-        return recordOf(makeWork(request(), body));
-    }
-}  // namespace
-
-TEST(PlannerRun, FindsAPathThatComesBack)
-{
-    const auto work = makeWork(request("rrtconnect", 10.0));
-    const auto report = work.report(*runToEnd(work));
-    EXPECT_FALSE(report.failed);
-    EXPECT_EQ(report.text.rfind("returned, cost ", 0), 0U) << report.text;
-    const Json &run = report.record;
-    EXPECT_EQ(run["family"], "wall_gap_2d");
-    EXPECT_EQ(run["status"], "returned");
-    EXPECT_EQ(run["note"], "");
-    EXPECT_EQ(run["solved"], true);
-    EXPECT_EQ(run["valid"], true);
-    EXPECT_GE(run["cost"], world().optimum() * (1.0 - 1e-3));
-    ASSERT_GE(run["path"].size(), 2U);
-    EXPECT_EQ(run["path"].front(), (Json{0.1, 0.5}));
-    EXPECT_EQ(run["path"].back(), (Json{0.9, 0.5}));
-    EXPECT_GT(run["checks"], run["path_checks"]);
-    EXPECT_GT(run["path_check"], 0.0);
-    EXPECT_GT(run["wall"], 0.0);
-    EXPECT_GT(run["cpu"], 0.0);
-    EXPECT_TRUE(run.contains("looks") && run.contains("longest_gap"));
-}
-
-TEST(PlannerRun, KeepsWhatWasLoggedBeforeASegmentationFault)
-{
-    const Json run = recordOf(
-        [](const RunRequest &, RunMemory &memory) -> RunResult
+        const anytime::World &world()
         {
-            memory.log.entries[0] = {0.5, 0.25, 7.0, 100};
-            memory.log.count = 1;
-            std::signal(SIGSEGV, SIG_DFL);
-            std::raise(SIGSEGV);
-            return {};
-        });
-    EXPECT_EQ(run["status"], "signal SEGV");
-    EXPECT_EQ(run["solved"], false);
-    EXPECT_TRUE(run["cost"].is_null());
-    EXPECT_EQ(run["improvements"], (Json{{0.5, 0.25, 7.0, 100}}));
-}
+            static const anytime::World WORLD = anytime::selectWorlds("^wall_gap_2d_1$").front();
+            return WORLD;
+        }
 
-TEST(PlannerRun, TellsWhatAnAbortingPlannerSaid)
-{
-    const Json run = recordOf(
-        [](const RunRequest &, RunMemory &) -> RunResult
+        RunRequest request(const std::string &planner = "rrtconnect", double limit = 0.2)
         {
-            std::fputs("first\nassertion failed\n", stderr);
-            std::signal(SIGABRT, SIG_DFL);
-            std::raise(SIGABRT);
-            return {};
-        });
-    EXPECT_EQ(run["status"], "signal ABRT");
-    EXPECT_EQ(run["note"], "assertion failed");
-}
+            return {&world(), planner, 1, limit, anytime::Clock::CPU};
+        }
 
-TEST(PlannerRun, IsKilledWhenItNeverReturns)
-{
-    const Json run = recordOf(
-        [](const RunRequest &, RunMemory &memory) -> RunResult
+        std::unique_ptr<RunProcess> runToEnd(const campaign::Work &work)
         {
-            ompl_mfa::campaign::startSolving(memory);
-            while (memory.phase == ompl_mfa::campaign::RunPhase::Solving)
-                ;
-            return {};
-        });
-    EXPECT_EQ(run["status"], "killed");
-}
+            auto process = std::make_unique<RunProcess>(work.body, work.limits, work.state);
+            process->wait();
+            return process;
+        }
 
-TEST(PlannerRun, IsStoppedWhenItAllocatesWithoutEnd)
-{
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "the sanitizer ends the process itself when an allocation fails";
-#endif
-    const Json run = recordOf(
-        [](const RunRequest &, RunMemory &) -> RunResult
+        Json recordOf(const campaign::Work &work)
         {
-            std::vector<std::vector<char>> all;
-            while (true)
+            return work.report(*runToEnd(work)).record;
+        }
+
+        Json recordOf(const anytime::RunBody &body)
+        {
+            return recordOf(makeWork(request(), body));
+        }
+    }  // namespace
+
+    TEST(PlannerRun, FindsAPathThatComesBack)
+    {
+        const auto work = makeWork(request("rrtconnect", 10.0));
+        const auto report = work.report(*runToEnd(work));
+        EXPECT_FALSE(report.failed);
+        EXPECT_EQ(report.text.rfind("returned, cost ", 0), 0U) << report.text;
+        const Json &run = report.record;
+        EXPECT_EQ(run["family"], "wall_gap_2d");
+        EXPECT_EQ(run["status"], "returned");
+        EXPECT_EQ(run["note"], "");
+        EXPECT_EQ(run["solved"], true);
+        EXPECT_EQ(run["valid"], true);
+        EXPECT_GE(run["cost"], world().optimum() * (1.0 - 1e-3));
+        ASSERT_GE(run["path"].size(), 2U);
+        EXPECT_EQ(run["path"].front(), (Json{0.1, 0.5}));
+        EXPECT_EQ(run["path"].back(), (Json{0.9, 0.5}));
+        EXPECT_GT(run["checks"], run["path_checks"]);
+        EXPECT_GT(run["path_check"], 0.0);
+        EXPECT_GT(run["wall"], 0.0);
+        EXPECT_GT(run["cpu"], 0.0);
+        EXPECT_TRUE(run.contains("looks") && run.contains("longest_gap"));
+    }
+
+    TEST(PlannerRun, KeepsWhatWasLoggedBeforeASegmentationFault)
+    {
+        const Json run = recordOf(
+            [](const RunRequest &, RunMemory &memory) -> RunResult
             {
-                all.emplace_back();
-                all.back().reserve(std::size_t{1} << 30);
-            }
-        });
-    EXPECT_EQ(run["status"], "out of memory");
-}
+                memory.log.entries[0] = {0.5, 0.25, 7.0, 100};
+                memory.log.count = 1;
+                std::signal(SIGSEGV, SIG_DFL);
+                std::raise(SIGSEGV);
+                return {};
+            });
+        EXPECT_EQ(run["status"], "signal SEGV");
+        EXPECT_EQ(run["solved"], false);
+        EXPECT_TRUE(run["cost"].is_null());
+        EXPECT_EQ(run["improvements"], (Json{{0.5, 0.25, 7.0, 100}}));
+    }
 
-TEST(PlannerRun, TellsExceptionsOfPlannersFromBadRequests)
-{
-    const Json run = recordOf([](const RunRequest &, RunMemory &) -> RunResult { throw std::logic_error("no"); });
-    EXPECT_EQ(run["status"], "exception");
-    EXPECT_EQ(run["note"], "no");
-    const auto process = runToEnd(makeWork(request("rrtconnect:no_such_parameter=1")));
-    EXPECT_TRUE(process->refused());
-    EXPECT_NE(process->lastLine().find("no_such_parameter"), std::string::npos) << process->lastLine();
-}
+    TEST(PlannerRun, TellsWhatAnAbortingPlannerSaid)
+    {
+        const Json run = recordOf(
+            [](const RunRequest &, RunMemory &) -> RunResult
+            {
+                std::fputs("first\nassertion failed\n", stderr);
+                std::signal(SIGABRT, SIG_DFL);
+                std::raise(SIGABRT);
+                return {};
+            });
+        EXPECT_EQ(run["status"], "signal ABRT");
+        EXPECT_EQ(run["note"], "assertion failed");
+    }
+
+    TEST(PlannerRun, IsKilledWhenItNeverReturns)
+    {
+        const Json run = recordOf(
+            [](const RunRequest &, RunMemory &memory) -> RunResult
+            {
+                campaign::startSolving(memory);
+                while (memory.phase == campaign::RunPhase::Solving)
+                    ;
+                return {};
+            });
+        EXPECT_EQ(run["status"], "killed");
+    }
+
+    TEST(PlannerRun, IsStoppedWhenItAllocatesWithoutEnd)
+    {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        GTEST_SKIP() << "the sanitizer ends the process itself when an allocation fails";
+#endif
+        const Json run = recordOf(
+            [](const RunRequest &, RunMemory &) -> RunResult
+            {
+                std::vector<std::vector<char>> all;
+                while (true)
+                {
+                    all.emplace_back();
+                    all.back().reserve(std::size_t{1} << 30);
+                }
+            });
+        EXPECT_EQ(run["status"], "out of memory");
+    }
+
+    TEST(PlannerRun, TellsExceptionsOfPlannersFromBadRequests)
+    {
+        const Json run = recordOf([](const RunRequest &, RunMemory &) -> RunResult { throw std::logic_error("no"); });
+        EXPECT_EQ(run["status"], "exception");
+        EXPECT_EQ(run["note"], "no");
+        const auto process = runToEnd(makeWork(request("rrtconnect:no_such_parameter=1")));
+        EXPECT_TRUE(process->refused());
+        EXPECT_NE(process->lastLine().find("no_such_parameter"), std::string::npos) << process->lastLine();
+    }
+}  // namespace ompl_mfa::anytime

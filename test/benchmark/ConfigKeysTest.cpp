@@ -48,130 +48,132 @@
 
 #include "benchmark/InputErrorOf.h"
 
-namespace
+namespace ompl_mfa::benchmark
 {
-    using ompl_mfa::benchmark::ConfigRow;
-    using Cells = std::vector<std::string>;
-
-    template <typename Config>
-    void append(std::vector<Cells> &table, const std::vector<ConfigRow<Config>> &rows)
+    namespace
     {
-        for (const auto &row : rows)
-            table.push_back({boost::algorithm::join(row.keys, ", "), row.accepted, row.fallback, row.meaning});
-    }
+        using benchmark::ConfigRow;
+        using Cells = std::vector<std::string>;
 
-    /* A cell as the program would print it: without markup, and without the mark of what OMPL.app does not have. */
-    std::string plain(const std::string &cell)
-    {
-        static const std::regex LINK(R"(\[([^\]]*)\]\([^)]*\))");
-        std::string text = std::regex_replace(cell, LINK, "$1");
-        boost::erase_all(text, "**new:** ");
-        boost::erase_all(text, "`");
-        return boost::trim_copy(text);
-    }
-
-    /* The rows of the first table behind \e heading, plain, without the table's head. */
-    std::vector<Cells> documented(const std::string &heading)
-    {
-        std::ifstream in(std::string(OMPL_MFA_SOURCE_DIR) + "/docs/configs.md");
-        std::vector<Cells> table;
-        std::string line;
-        while (std::getline(in, line) && line != heading)
+        template <typename Config>
+        void append(std::vector<Cells> &table, const std::vector<ConfigRow<Config>> &rows)
         {
+            for (const auto &row : rows)
+                table.push_back({boost::algorithm::join(row.keys, ", "), row.accepted, row.fallback, row.meaning});
         }
-        while (std::getline(in, line) && (table.empty() || !line.empty()))
+
+        /* A cell as the program would print it: without markup, and without the mark of what OMPL.app does not have. */
+        std::string plain(const std::string &cell)
         {
-            if (line.empty() || line.front() != '|')
-                continue;
-            const std::string inner = line.substr(1, line.size() - 2);
-            Cells cells;
-            boost::split(cells, inner, boost::is_any_of("|"));
-            std::transform(cells.begin(), cells.end(), cells.begin(), plain);
-            table.push_back(cells);
+            static const std::regex LINK(R"(\[([^\]]*)\]\([^)]*\))");
+            std::string text = std::regex_replace(cell, LINK, "$1");
+            boost::erase_all(text, "**new:** ");
+            boost::erase_all(text, "`");
+            return boost::trim_copy(text);
         }
-        if (table.size() < 2)
-            return {};
-        EXPECT_EQ(table[0], (Cells{"key", "accepted", "default", "meaning"}));
-        return {table.begin() + 2, table.end()};
-    }
 
-    void expectEqual(const std::vector<Cells> &inDocs, const std::vector<Cells> &inCode)
-    {
-        ASSERT_EQ(inDocs.size(), inCode.size());
-        for (std::size_t i = 0; i < inDocs.size(); ++i)
-            EXPECT_EQ(inDocs[i], inCode[i]) << "row " << i + 1;
-    }
-
-    TEST(ConfigKeys, TheTableOfProblemIsTheDocumentedOne)
-    {
-        std::vector<Cells> table;
-        append(table, ompl_mfa::benchmark::problemRows());
-        append(table, ompl_mfa::benchmark::contextRows());
-        expectEqual(documented("## `[problem]`"), table);
-    }
-
-    TEST(ConfigKeys, TheTableOfBenchmarkIsTheDocumentedOne)
-    {
-        std::vector<Cells> table;
-        append(table, ompl_mfa::benchmark::campaignRows());
-        expectEqual(documented("## `[benchmark]`"), table);
-    }
-
-    template <typename Config>
-    void expectRefusals(const std::vector<ConfigRow<Config>> &rows)
-    {
-        // whether a file can be used shows when it is read, and why a folder cannot be is said in other words
-        const std::set<std::string> paths = {"world", "robot", "output"};
-        for (const auto &row : rows)
+        /* The rows of the first table behind \e heading, plain, without the table's head. */
+        std::vector<Cells> documented(const std::string &heading)
         {
-            for (std::size_t i = 0; i < row.keys.size(); ++i)
+            std::ifstream in(std::string(OMPL_MFA_SOURCE_DIR) + "/docs/configs.md");
+            std::vector<Cells> table;
+            std::string line;
+            while (std::getline(in, line) && line != heading)
             {
-                if (paths.count(row.keys[i]) > 0)
+            }
+            while (std::getline(in, line) && (table.empty() || !line.empty()))
+            {
+                if (line.empty() || line.front() != '|')
                     continue;
-                Config config;
-                const std::string error = ompl_mfa::test::inputErrorOf(
-                    [&] {
-                        row.set(config, i, {row.keys[i], "no/such value", "a.cfg:3"});
-                    });
-                EXPECT_EQ(error.find("a.cfg:3: " + row.keys[i] + " = no/such value: "), 0u) << error;
-                EXPECT_NE(error.find("expected " + row.accepted), std::string::npos) << error;
+                const std::string inner = line.substr(1, line.size() - 2);
+                Cells cells;
+                boost::split(cells, inner, boost::is_any_of("|"));
+                std::transform(cells.begin(), cells.end(), cells.begin(), plain);
+                table.push_back(cells);
+            }
+            if (table.size() < 2)
+                return {};
+            EXPECT_EQ(table[0], (Cells{"key", "accepted", "default", "meaning"}));
+            return {table.begin() + 2, table.end()};
+        }
+
+        void expectEqual(const std::vector<Cells> &inDocs, const std::vector<Cells> &inCode)
+        {
+            ASSERT_EQ(inDocs.size(), inCode.size());
+            for (std::size_t i = 0; i < inDocs.size(); ++i)
+                EXPECT_EQ(inDocs[i], inCode[i]) << "row " << i + 1;
+        }
+
+        TEST(ConfigKeys, TheTableOfProblemIsTheDocumentedOne)
+        {
+            std::vector<Cells> table;
+            append(table, benchmark::problemRows());
+            append(table, benchmark::contextRows());
+            expectEqual(documented("## `[problem]`"), table);
+        }
+
+        TEST(ConfigKeys, TheTableOfBenchmarkIsTheDocumentedOne)
+        {
+            std::vector<Cells> table;
+            append(table, benchmark::campaignRows());
+            expectEqual(documented("## `[benchmark]`"), table);
+        }
+
+        template <typename Config>
+        void expectRefusals(const std::vector<ConfigRow<Config>> &rows)
+        {
+            // whether a file can be used shows when it is read, and why a folder cannot be is said in other words
+            const std::set<std::string> paths = {"world", "robot", "output"};
+            for (const auto &row : rows)
+            {
+                for (std::size_t i = 0; i < row.keys.size(); ++i)
+                {
+                    if (paths.count(row.keys[i]) > 0)
+                        continue;
+                    Config config;
+                    const std::string error = test::inputErrorOf(
+                        [&] {
+                            row.set(config, i, {row.keys[i], "no/such value", "a.cfg:3"});
+                        });
+                    EXPECT_EQ(error.find("a.cfg:3: " + row.keys[i] + " = no/such value: "), 0u) << error;
+                    EXPECT_NE(error.find("expected " + row.accepted), std::string::npos) << error;
+                }
             }
         }
-    }
 
-    TEST(ConfigKeys, ErrorsSayWhatTheTableAccepts)
-    {
-        expectRefusals(ompl_mfa::benchmark::problemRows());
-        expectRefusals(ompl_mfa::benchmark::contextRows());
-        expectRefusals(ompl_mfa::benchmark::campaignRows());
-    }
+        TEST(ConfigKeys, ErrorsSayWhatTheTableAccepts)
+        {
+            expectRefusals(benchmark::problemRows());
+            expectRefusals(benchmark::contextRows());
+            expectRefusals(benchmark::campaignRows());
+        }
 
-    TEST(ConfigKeys, EachKeyHasAPlaceOfItsOwn)
-    {
-        ompl_mfa::benchmark::ProblemConfig problem;
-        double value = 1.0;
-        for (const auto *key : {"start.x",      "start.y",      "start.z",      "start.axis.x", "start.axis.y",
-                                "start.axis.z", "start.theta",  "goal.x",       "goal.y",       "goal.z",
-                                "goal.axis.x",  "goal.axis.y",  "goal.axis.z",  "goal.theta",   "volume.min.x",
-                                "volume.min.y", "volume.min.z", "volume.max.x", "volume.max.y", "volume.max.z"})
+        TEST(ConfigKeys, EachKeyHasAPlaceOfItsOwn)
         {
-            EXPECT_TRUE(
-                setValue(ompl_mfa::benchmark::problemRows(), key, {key, std::to_string(value), "a.cfg:3"}, problem));
-            ++value;
+            benchmark::ProblemConfig problem;
+            double value = 1.0;
+            for (const auto *key : {"start.x",      "start.y",      "start.z",      "start.axis.x", "start.axis.y",
+                                    "start.axis.z", "start.theta",  "goal.x",       "goal.y",       "goal.z",
+                                    "goal.axis.x",  "goal.axis.y",  "goal.axis.z",  "goal.theta",   "volume.min.x",
+                                    "volume.min.y", "volume.min.z", "volume.max.x", "volume.max.y", "volume.max.z"})
+            {
+                EXPECT_TRUE(setValue(benchmark::problemRows(), key, {key, std::to_string(value), "a.cfg:3"}, problem));
+                ++value;
+            }
+            value = 1.0;
+            for (const auto *pose : {&problem.start, &problem.goal})
+            {
+                for (const double place :
+                     {pose->x, pose->y, pose->z, pose->axis[0], pose->axis[1], pose->axis[2], pose->theta})
+                    EXPECT_EQ(place, value++);
+            }
+            ASSERT_TRUE(problem.volume);
+            for (const auto *end : {problem.volume->min, problem.volume->max})
+            {
+                for (int axis = 0; axis < 3; ++axis)
+                    EXPECT_EQ(end[axis], value++);
+            }
+            EXPECT_FALSE(setValue(benchmark::problemRows(), "start.w", {"start.w", "1", "a.cfg:3"}, problem));
         }
-        value = 1.0;
-        for (const auto *pose : {&problem.start, &problem.goal})
-        {
-            for (const double place :
-                 {pose->x, pose->y, pose->z, pose->axis[0], pose->axis[1], pose->axis[2], pose->theta})
-                EXPECT_EQ(place, value++);
-        }
-        ASSERT_TRUE(problem.volume);
-        for (const auto *end : {problem.volume->min, problem.volume->max})
-        {
-            for (int axis = 0; axis < 3; ++axis)
-                EXPECT_EQ(end[axis], value++);
-        }
-        EXPECT_FALSE(setValue(ompl_mfa::benchmark::problemRows(), "start.w", {"start.w", "1", "a.cfg:3"}, problem));
-    }
-}  // namespace
+    }  // namespace
+}  // namespace ompl_mfa::benchmark

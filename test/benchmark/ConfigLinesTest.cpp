@@ -42,86 +42,90 @@
 
 #include "benchmark/InputErrorOf.h"
 
-namespace
+namespace ompl_mfa::benchmark
 {
-    using ompl_mfa::benchmark::ConfigEntry;
-    using ompl_mfa::test::inputErrorOf;
-
-    std::vector<ConfigEntry> read(const std::string &text)
+    namespace
     {
-        std::istringstream in(text);
-        return ompl_mfa::benchmark::readConfigLines(in, "a.cfg");
-    }
+        using benchmark::ConfigEntry;
+        using test::inputErrorOf;
 
-    ConfigEntry valued(const std::string &value)
-    {
-        return {"key", value, "a.cfg:3"};
-    }
+        std::vector<ConfigEntry> read(const std::string &text)
+        {
+            std::istringstream in(text);
+            return benchmark::readConfigLines(in, "a.cfg");
+        }
 
-    TEST(ConfigLines, KeepsSectionsOrderAndLineNumbers)
-    {
-        const auto entries =
-            read("# a comment\n\n[Problem]\n name = Two words # and why\nWorld=a=b.dae\n[planner]\nprm=\n");
-        ASSERT_EQ(entries.size(), 3u);
-        EXPECT_EQ(entries[0].key, "problem.name");
-        EXPECT_EQ(entries[0].value, "Two words");
-        EXPECT_EQ(entries[0].origin, "a.cfg:4");
-        EXPECT_EQ(entries[1].key, "problem.world");
-        EXPECT_EQ(entries[1].value, "a=b.dae");
-        EXPECT_EQ(entries[2].key, "planner.prm");
-        EXPECT_EQ(entries[2].value, "");
-        EXPECT_EQ(entries[2].origin, "a.cfg:7");
-    }
+        ConfigEntry valued(const std::string &value)
+        {
+            return {"key", value, "a.cfg:3"};
+        }
 
-    TEST(ConfigLines, AcceptsByteOrderMarkAndWindowsLineEnds)
-    {
-        const auto entries = read("\xEF\xBB\xBF[problem]\r\nname=x\r\n");
-        ASSERT_EQ(entries.size(), 1u);
-        EXPECT_EQ(entries[0].key, "problem.name");
-        EXPECT_EQ(entries[0].value, "x");
-    }
+        TEST(ConfigLines, KeepsSectionsOrderAndLineNumbers)
+        {
+            const auto entries =
+                read("# a comment\n\n[Problem]\n name = Two words # and why\nWorld=a=b.dae\n[planner]\nprm=\n");
+            ASSERT_EQ(entries.size(), 3u);
+            EXPECT_EQ(entries[0].key, "problem.name");
+            EXPECT_EQ(entries[0].value, "Two words");
+            EXPECT_EQ(entries[0].origin, "a.cfg:4");
+            EXPECT_EQ(entries[1].key, "problem.world");
+            EXPECT_EQ(entries[1].value, "a=b.dae");
+            EXPECT_EQ(entries[2].key, "planner.prm");
+            EXPECT_EQ(entries[2].value, "");
+            EXPECT_EQ(entries[2].origin, "a.cfg:7");
+        }
 
-    TEST(ConfigLines, KeepsRepeatedKeys)
-    {
-        EXPECT_EQ(read("[planner]\nprm=\nprm=\n").size(), 2u);
-    }
+        TEST(ConfigLines, AcceptsByteOrderMarkAndWindowsLineEnds)
+        {
+            const auto entries = read("\xEF\xBB\xBF[problem]\r\nname=x\r\n");
+            ASSERT_EQ(entries.size(), 1u);
+            EXPECT_EQ(entries[0].key, "problem.name");
+            EXPECT_EQ(entries[0].value, "x");
+        }
 
-    TEST(ConfigLines, NamesTheLineThatIsNeitherSectionNorEntry)
-    {
-        EXPECT_EQ(inputErrorOf([] { read("[problem]\nname = x\nstart.x 3\n"); }),
-                  "a.cfg:3: 'start.x 3' is neither '[section]' nor 'key = value'");
-        EXPECT_EQ(inputErrorOf([] { read("[problem\n"); }), "a.cfg:1: '[problem' has no closing ']'");
-        EXPECT_EQ(inputErrorOf([] { read(" = 3\n"); }), "a.cfg:1: '= 3' has no key before '='");
-        EXPECT_EQ(inputErrorOf([] { read(std::string("na\0me = 3\n", 10)); }),
-                  "a.cfg:1: a NUL character; the file is to be UTF-8 text");
-        EXPECT_EQ(inputErrorOf([] { read("[problem]\nname = caf\xE9\n"); }), "a.cfg:2: the file is to be UTF-8 text");
-        EXPECT_EQ(read("# caf\xE9\nname = caf\xC3\xA9\n").at(0).value, "caf\xC3\xA9");
-    }
+        TEST(ConfigLines, KeepsRepeatedKeys)
+        {
+            EXPECT_EQ(read("[planner]\nprm=\nprm=\n").size(), 2u);
+        }
 
-    TEST(ConfigLines, RealValueTakesNothingButAFiniteNumber)
-    {
-        EXPECT_EQ(ompl_mfa::benchmark::realValue(valued("-0.5e1")), -5.0);
-        EXPECT_EQ(ompl_mfa::benchmark::realValue(valued("+2")), 2.0);
-        for (const char *text : {"", "1.0x", "0x10", "1,5", "nan", "inf", "-inf", "1e999", "one"})
-            EXPECT_EQ(inputErrorOf([&] { ompl_mfa::benchmark::realValue(valued(text)); }),
-                      "a.cfg:3: key = " + std::string(text) + ": expected a finite number");
-    }
+        TEST(ConfigLines, NamesTheLineThatIsNeitherSectionNorEntry)
+        {
+            EXPECT_EQ(inputErrorOf([] { read("[problem]\nname = x\nstart.x 3\n"); }),
+                      "a.cfg:3: 'start.x 3' is neither '[section]' nor 'key = value'");
+            EXPECT_EQ(inputErrorOf([] { read("[problem\n"); }), "a.cfg:1: '[problem' has no closing ']'");
+            EXPECT_EQ(inputErrorOf([] { read(" = 3\n"); }), "a.cfg:1: '= 3' has no key before '='");
+            EXPECT_EQ(inputErrorOf([] { read(std::string("na\0me = 3\n", 10)); }),
+                      "a.cfg:1: a NUL character; the file is to be UTF-8 text");
+            EXPECT_EQ(inputErrorOf([] { read("[problem]\nname = caf\xE9\n"); }),
+                      "a.cfg:2: the file is to be UTF-8 text");
+            EXPECT_EQ(read("# caf\xE9\nname = caf\xC3\xA9\n").at(0).value, "caf\xC3\xA9");
+        }
 
-    TEST(ConfigLines, WholeValueStaysInItsRange)
-    {
-        EXPECT_EQ(ompl_mfa::benchmark::wholeValue(valued("4294967295"), 1, 4294967295), 4294967295u);
-        for (const char *text : {"0", "-1", "4294967296", "99999999999999999999999", "1.0", "1e3", ""})
-            EXPECT_EQ(inputErrorOf([&] { ompl_mfa::benchmark::wholeValue(valued(text), 1, 4294967295); }),
-                      "a.cfg:3: key = " + std::string(text) + ": expected a whole number from 1 to 4294967295");
-    }
+        TEST(ConfigLines, RealValueTakesNothingButAFiniteNumber)
+        {
+            EXPECT_EQ(benchmark::realValue(valued("-0.5e1")), -5.0);
+            EXPECT_EQ(benchmark::realValue(valued("+2")), 2.0);
+            for (const char *text : {"", "1.0x", "0x10", "1,5", "nan", "inf", "-inf", "1e999", "one"})
+                EXPECT_EQ(inputErrorOf([&] { benchmark::realValue(valued(text)); }),
+                          "a.cfg:3: key = " + std::string(text) + ": expected a finite number");
+        }
 
-    TEST(ConfigLines, SwitchValueKnowsBothSides)
-    {
-        for (const char *text : {"1", "true", "Yes", "ON"})
-            EXPECT_TRUE(ompl_mfa::benchmark::switchValue(valued(text))) << text;
-        for (const char *text : {"0", "false", "no", "off"})
-            EXPECT_FALSE(ompl_mfa::benchmark::switchValue(valued(text))) << text;
-        EXPECT_EQ(inputErrorOf([] { ompl_mfa::benchmark::switchValue(valued("2")); }),
-                  "a.cfg:3: key = 2: expected one of 0, 1, false, true, no, yes, off, on");
-    }
-}  // namespace
+        TEST(ConfigLines, WholeValueStaysInItsRange)
+        {
+            EXPECT_EQ(benchmark::wholeValue(valued("4294967295"), 1, 4294967295), 4294967295u);
+            for (const char *text : {"0", "-1", "4294967296", "99999999999999999999999", "1.0", "1e3", ""})
+                EXPECT_EQ(inputErrorOf([&] { benchmark::wholeValue(valued(text), 1, 4294967295); }),
+                          "a.cfg:3: key = " + std::string(text) + ": expected a whole number from 1 to 4294967295");
+        }
+
+        TEST(ConfigLines, SwitchValueKnowsBothSides)
+        {
+            for (const char *text : {"1", "true", "Yes", "ON"})
+                EXPECT_TRUE(benchmark::switchValue(valued(text))) << text;
+            for (const char *text : {"0", "false", "no", "off"})
+                EXPECT_FALSE(benchmark::switchValue(valued(text))) << text;
+            EXPECT_EQ(inputErrorOf([] { benchmark::switchValue(valued("2")); }),
+                      "a.cfg:3: key = 2: expected one of 0, 1, false, true, no, yes, off, on");
+        }
+    }  // namespace
+}  // namespace ompl_mfa::benchmark

@@ -44,55 +44,55 @@
 
 #include "benchmark/InputErrorOf.h"
 
-using ompl_mfa::benchmark::fileNamePart;
-using ompl_mfa::benchmark::isFileName;
-using ompl_mfa::benchmark::writtenPath;
 using ompl_mfa::test::inputErrorOf;
 
-TEST(FileNames, OrdinaryNamesStayAsTheyAre)
+namespace ompl_mfa::benchmark
 {
-    for (const std::string name : {"RRT*", "MFA-2", "two words", "a.b", "~", "...", "\xC3\xA4"})
+    TEST(FileNames, OrdinaryNamesStayAsTheyAre)
     {
-        EXPECT_EQ(fileNamePart(name), name);
-        EXPECT_TRUE(isFileName(name)) << name;
+        for (const std::string name : {"RRT*", "MFA-2", "two words", "a.b", "~", "...", "\xC3\xA4"})
+        {
+            EXPECT_EQ(fileNamePart(name), name);
+            EXPECT_TRUE(isFileName(name)) << name;
+        }
     }
-}
 
-TEST(FileNames, RefusesWhatIsNoFile)
-{
-    for (const std::string name : {"", ".", "..", "a/b", "/", "../a", "a\nb", "a\x7f"})
-        EXPECT_FALSE(isFileName(name)) << name;
-    EXPECT_FALSE(isFileName(std::string("a\0b", 3)));
-    EXPECT_TRUE(isFileName(std::string(ompl_mfa::benchmark::LONGEST_NAME, 'n')));
-    EXPECT_FALSE(isFileName(std::string(ompl_mfa::benchmark::LONGEST_NAME + 1, 'n')));
-}
+    TEST(FileNames, RefusesWhatIsNoFile)
+    {
+        for (const std::string name : {"", ".", "..", "a/b", "/", "../a", "a\nb", "a\x7f"})
+            EXPECT_FALSE(isFileName(name)) << name;
+        EXPECT_FALSE(isFileName(std::string("a\0b", 3)));
+        EXPECT_TRUE(isFileName(std::string(benchmark::LONGEST_NAME, 'n')));
+        EXPECT_FALSE(isFileName(std::string(benchmark::LONGEST_NAME + 1, 'n')));
+    }
 
-RC_GTEST_PROP(FileNames, PartsOfNamesAreNoFoldersAndTellNamesApart, (const std::string &a, const std::string &b))
-{
-    const std::string part = fileNamePart(a);
-    RC_ASSERT(part.find('/') == std::string::npos);
-    RC_ASSERT(!ompl_mfa::benchmark::hasControlCharacter(part));
-    RC_ASSERT((part == fileNamePart(b)) == (a == b));
-}
+    RC_GTEST_PROP(FileNames, PartsOfNamesAreNoFoldersAndTellNamesApart, (const std::string &a, const std::string &b))
+    {
+        const std::string part = fileNamePart(a);
+        RC_ASSERT(part.find('/') == std::string::npos);
+        RC_ASSERT(!benchmark::hasControlCharacter(part));
+        RC_ASSERT((part == fileNamePart(b)) == (a == b));
+    }
 
-TEST(FileNames, TheTildeIsTheHomeFolder)
-{
-    const char *before = std::getenv("HOME");
-    const std::string home = before == nullptr ? "" : before;
-    setenv("HOME", "/home/me", 1);
-    EXPECT_EQ(writtenPath("~", "o"), "/home/me/");
-    EXPECT_EQ(writtenPath("~/", "o"), "/home/me/");
-    EXPECT_EQ(writtenPath("~/a/b", "o"), "/home/me/a/b");
-    EXPECT_EQ(writtenPath("~//a", "o"), "/home/me/a");
-    EXPECT_EQ(writtenPath("a/b~", "o"), "a/b~");
-    EXPECT_EQ(writtenPath("../a", "o"), "../a");
-    EXPECT_EQ(writtenPath("/a", "o"), "/a");
-    EXPECT_EQ(writtenPath("", "o"), "");
-    for (const std::string path : {"~you", "~you/a", "a/~", "a/~/b", "/~", "~/~", "a\tb"})
-        EXPECT_EQ(inputErrorOf([&] { writtenPath(path, "x.cfg:3"); }).rfind("x.cfg:3: ", 0), 0U) << path;
-    unsetenv("HOME");
-    EXPECT_NE(inputErrorOf([] { writtenPath("~/a", "o"); }).find("HOME"), std::string::npos);
-    EXPECT_EQ(writtenPath("a", "o"), "a");
-    if (before != nullptr)
-        setenv("HOME", home.c_str(), 1);
-}
+    TEST(FileNames, TheTildeIsTheHomeFolder)
+    {
+        const char *before = std::getenv("HOME");
+        const std::string home = before == nullptr ? "" : before;
+        setenv("HOME", "/home/me", 1);
+        EXPECT_EQ(writtenPath("~", "o"), "/home/me/");
+        EXPECT_EQ(writtenPath("~/", "o"), "/home/me/");
+        EXPECT_EQ(writtenPath("~/a/b", "o"), "/home/me/a/b");
+        EXPECT_EQ(writtenPath("~//a", "o"), "/home/me/a");
+        EXPECT_EQ(writtenPath("a/b~", "o"), "a/b~");
+        EXPECT_EQ(writtenPath("../a", "o"), "../a");
+        EXPECT_EQ(writtenPath("/a", "o"), "/a");
+        EXPECT_EQ(writtenPath("", "o"), "");
+        for (const std::string path : {"~you", "~you/a", "a/~", "a/~/b", "/~", "~/~", "a\tb"})
+            EXPECT_EQ(inputErrorOf([&] { writtenPath(path, "x.cfg:3"); }).rfind("x.cfg:3: ", 0), 0U) << path;
+        unsetenv("HOME");
+        EXPECT_NE(inputErrorOf([] { writtenPath("~/a", "o"); }).find("HOME"), std::string::npos);
+        EXPECT_EQ(writtenPath("a", "o"), "a");
+        if (before != nullptr)
+            setenv("HOME", home.c_str(), 1);
+    }
+}  // namespace ompl_mfa::benchmark

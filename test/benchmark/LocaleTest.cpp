@@ -54,14 +54,14 @@
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 
 namespace ob = ompl::base;
-using namespace ompl_mfa;
-using namespace ompl_mfa::benchmark;
 using namespace ompl_mfa::test;
 using ompl_mfa::test::inputErrorOf;
 
-namespace
+namespace ompl_mfa::benchmark
 {
-    const std::string CONFIG = R"([PROBLEM]
+    namespace
+    {
+        const std::string CONFIG = R"([PROBLEM]
 ROBOT = disc
 ROBOT.RADIUS = 0.125
 START.X = 1.5
@@ -87,270 +87,274 @@ MFA.POPULATION_SIZE = 1200
 MFA.GAMMA = 0.25
 )";
 
-    BenchmarkConfig parsed(const std::string &text = CONFIG)
-    {
-        std::istringstream in(text);
-        return parseBenchmarkConfig(in, "a.cfg");
-    }
-
-    /* A line of everything that the config said, in numbers that no locale touches. */
-    std::string summary(const BenchmarkConfig &config)
-    {
-        std::ostringstream out;
-        out.imbue(std::locale::classic());
-        out << config.problem.robotRadius << ' ' << config.problem.start.x << ' ' << config.problem.start.y << ' '
-            << config.problem.goal.x << ' ' << config.problem.volume->max[0] << ' '
-            << config.problem.objectiveWeights.at(0).second << ' ' << config.benchmark.timeLimit << ' '
-            << config.benchmark.runCount << ' ' << config.benchmark.simplify << ' '
-            << config.benchmark.progressInterval;
-        const ProblemFactory factory(config);
-        for (const PlannerSpec &spec : config.planners)
+        BenchmarkConfig parsed(const std::string &text = CONFIG)
         {
-            const auto setup = factory.create(spec);
-            std::map<std::string, std::string> parameters;
-            setup->getPlanner()->params().getParams(parameters);
-            out << ' ' << setup->getStateSpace()->getLongestValidSegmentFraction();
-            for (const char *name : {"goal_bias", "population_size", "gamma"})
-                out << ' ' << parameters[name];
-        }
-        return out.str();
-    }
-
-    CampaignPlanner entry(const std::string &name, const ob::PlannerAllocator &allocator)
-    {
-        return {name, [] { return planarProblem(); }, allocator};
-    }
-
-    CampaignDescription description()
-    {
-        CampaignDescription description;
-        description.name = "disc";
-        description.planners = {entry("Solver",
-                                      [](const ob::SpaceInformationPtr &si)
-                                      {
-                                          auto planner = std::make_shared<ompl::geometric::RRTConnect>(si);
-                                          planner->setRange(0.25);
-                                          return planner;
-                                      }),
-                                entry("Crashing", crashingPlanner())};
-        description.settings.timeLimit = 0.125;
-        description.runCount = 1;
-        description.savePaths = SavePaths::All;
-        return description;
-    }
-
-    std::string textOf(const std::filesystem::path &file)
-    {
-        std::ifstream in(file);
-        std::stringstream text;
-        text << in.rdbuf();
-        return text.str();
-    }
-
-    class Locale : public testing::Test
-    {
-    protected:
-        Locale()
-          : folder_(std::filesystem::temp_directory_path() / ("ompl_mfa_benchmark_locale_" + std::to_string(getpid())))
-        {
-            std::filesystem::create_directories(folder_);
+            std::istringstream in(text);
+            return parseBenchmarkConfig(in, "a.cfg");
         }
 
-        ~Locale() override
+        /* A line of everything that the config said, in numbers that no locale touches. */
+        std::string summary(const BenchmarkConfig &config)
         {
-            std::filesystem::remove_all(folder_);
+            std::ostringstream out;
+            out.imbue(std::locale::classic());
+            out << config.problem.robotRadius << ' ' << config.problem.start.x << ' ' << config.problem.start.y << ' '
+                << config.problem.goal.x << ' ' << config.problem.volume->max[0] << ' '
+                << config.problem.objectiveWeights.at(0).second << ' ' << config.benchmark.timeLimit << ' '
+                << config.benchmark.runCount << ' ' << config.benchmark.simplify << ' '
+                << config.benchmark.progressInterval;
+            const ProblemFactory factory(config);
+            for (const PlannerSpec &spec : config.planners)
+            {
+                const auto setup = factory.create(spec);
+                std::map<std::string, std::string> parameters;
+                setup->getPlanner()->params().getParams(parameters);
+                out << ' ' << setup->getStateSpace()->getLongestValidSegmentFraction();
+                for (const char *name : {"goal_bias", "population_size", "gamma"})
+                    out << ' ' << parameters[name];
+            }
+            return out.str();
         }
 
-        CampaignResult runCampaign(const std::string &name) const
+        CampaignPlanner entry(const std::string &name, const ob::PlannerAllocator &allocator)
         {
-            CampaignOptions options;
-            options.log = folder_ / (name + ".log");
-            return Campaign(description()).run(options);
+            return {name, [] { return planarProblem(); }, allocator};
         }
 
-        std::filesystem::path folder_;
-    };
+        CampaignDescription description()
+        {
+            CampaignDescription description;
+            description.name = "disc";
+            description.planners = {entry("Solver",
+                                          [](const ob::SpaceInformationPtr &si)
+                                          {
+                                              auto planner = std::make_shared<ompl::geometric::RRTConnect>(si);
+                                              planner->setRange(0.25);
+                                              return planner;
+                                          }),
+                                    entry("Crashing", crashingPlanner())};
+            description.settings.timeLimit = 0.125;
+            description.runCount = 1;
+            description.savePaths = SavePaths::All;
+            return description;
+        }
 
-    /* Values that are not the same in two runs. */
-    void expectPlainNumbers(const LogProperties &properties)
+        std::string textOf(const std::filesystem::path &file)
+        {
+            std::ifstream in(file);
+            std::stringstream text;
+            text << in.rdbuf();
+            return text.str();
+        }
+
+        class Locale : public testing::Test
+        {
+        protected:
+            Locale()
+              : folder_(std::filesystem::temp_directory_path() /
+                        ("ompl_mfa_benchmark_locale_" + std::to_string(getpid())))
+            {
+                std::filesystem::create_directories(folder_);
+            }
+
+            ~Locale() override
+            {
+                std::filesystem::remove_all(folder_);
+            }
+
+            CampaignResult runCampaign(const std::string &name) const
+            {
+                CampaignOptions options;
+                options.log = folder_ / (name + ".log");
+                return Campaign(description()).run(options);
+            }
+
+            std::filesystem::path folder_;
+        };
+
+        /* Values that are not the same in two runs. */
+        void expectPlainNumbers(const LogProperties &properties)
+        {
+            for (const auto &[name, value] : properties)
+                EXPECT_EQ(value.find(','), std::string::npos) << name << " = " << value;
+        }
+    }  // namespace
+
+    TEST_F(Locale, ConfigsMeanTheSameWhateverStreamsTakeForNumbersAndLetters)
     {
-        for (const auto &[name, value] : properties)
-            EXPECT_EQ(value.find(','), std::string::npos) << name << " = " << value;
+        const std::string expected = summary(parsed());
+        EXPECT_EQ(expected.rfind("0.125 1.5 0.1 1234.5 2000.5 0.25 0.05 2000 1 0.0015 0.0125", 0), 0U) << expected;
+        const ForeignStreams foreign;
+        EXPECT_EQ(inputErrorOf([] { summary(parsed()); }), "");
+        EXPECT_EQ(summary(parsed()), expected);
     }
-}  // namespace
 
-TEST_F(Locale, ConfigsMeanTheSameWhateverStreamsTakeForNumbersAndLetters)
-{
-    const std::string expected = summary(parsed());
-    EXPECT_EQ(expected.rfind("0.125 1.5 0.1 1234.5 2000.5 0.25 0.05 2000 1 0.0015 0.0125", 0), 0U) << expected;
-    const ForeignStreams foreign;
-    EXPECT_EQ(inputErrorOf([] { summary(parsed()); }), "");
-    EXPECT_EQ(summary(parsed()), expected);
-}
-
-TEST_F(Locale, ConfigsMeanTheSameWhateverTheLibraryTakesForNumbers)
-{
-    const std::string expected = summary(parsed());
-    const ForeignLibrary foreign;
-    if (!foreign.isThere())
-        GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
-    EXPECT_EQ(inputErrorOf([] { summary(parsed()); }), "");
-    EXPECT_EQ(summary(parsed()), expected);
-}
-
-TEST_F(Locale, MessagesNameNumbersAsConfigsWriteThem)
-{
-    const ForeignStreams foreign;
-    std::string text = CONFIG;
-    text.replace(text.find("GOAL.X = 1234.5"), 15, "GOAL.X = 4321.5");
-    const std::string message = inputErrorOf([&] { ProblemFactory(parsed(text)).create(); });
-    EXPECT_NE(message.find("goal (4321.5, 2.5) is outside the bounds [-0.5, 2000.5] x"), std::string::npos) << message;
-    text.replace(text.find("GOAL.X = 4321.5"), 15, "GOAL.X = 4321,5");
-    EXPECT_NE(inputErrorOf([&] { parsed(text); }).find("problem.goal.x = 4321,5: expected a finite number"),
-              std::string::npos);
-}
-
-TEST_F(Locale, LogsAreWrittenAndReadTheSame)
-{
-    BenchmarkLog log;
-    log.version = "1.5.2";
-    log.experiment = "e";
-    log.properties = {{"campaign TEXT", "c"}};
-    log.host = "here";
-    log.start = "2026-01-02 03:04:05";
-    log.seed = 1234567;
-    log.timeLimit = 0.125;
-    log.memoryLimit = 4096.5;
-    log.runCount = 1000;
-    log.duration = 12345.5;
-    PlannerLog planner;
-    planner.name = "geometric_A";
-    planner.progressNames = {"best cost REAL"};
-    for (int run = 0; run < 1000; ++run)
+    TEST_F(Locale, ConfigsMeanTheSameWhateverTheLibraryTakesForNumbers)
     {
-        planner.runs.push_back({{"run INTEGER", std::to_string(run)}, {"time REAL", "0.5"}, {"odd REAL", "-inf"}});
-        planner.progress.push_back({{0.25, {"1234.5"}}});
+        const std::string expected = summary(parsed());
+        const ForeignLibrary foreign;
+        if (!foreign.isThere())
+            GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
+        EXPECT_EQ(inputErrorOf([] { summary(parsed()); }), "");
+        EXPECT_EQ(summary(parsed()), expected);
     }
-    log.planners = {planner};
-    const auto written = [&log]
-    {
-        std::ostringstream out;
-        writeBenchmarkLog(out, log);
-        return out.str();
-    };
-    const std::string expected = written();
-    const auto expectSame = [&](const std::string &where)
-    {
-        EXPECT_EQ(written(), expected) << where;
-        const BenchmarkLog back = logHeadFrom(campaign::parseJson(campaign::jsonLine(toJson(log))));
-        EXPECT_EQ(back.timeLimit, 0.125) << where;
-        EXPECT_EQ(back.memoryLimit, 4096.5) << where;
-        EXPECT_EQ(back.seed, 1234567U) << where;
-        EXPECT_EQ(back.runCount, 1000U) << where;
-    };
+
+    TEST_F(Locale, MessagesNameNumbersAsConfigsWriteThem)
     {
         const ForeignStreams foreign;
-        expectSame("streams");
+        std::string text = CONFIG;
+        text.replace(text.find("GOAL.X = 1234.5"), 15, "GOAL.X = 4321.5");
+        const std::string message = inputErrorOf([&] { ProblemFactory(parsed(text)).create(); });
+        EXPECT_NE(message.find("goal (4321.5, 2.5) is outside the bounds [-0.5, 2000.5] x"), std::string::npos)
+            << message;
+        text.replace(text.find("GOAL.X = 4321.5"), 15, "GOAL.X = 4321,5");
+        EXPECT_NE(inputErrorOf([&] { parsed(text); }).find("problem.goal.x = 4321,5: expected a finite number"),
+                  std::string::npos);
     }
-    const ForeignLibrary foreign;
-    if (foreign.isThere())
-        expectSame("library");
-}
 
-TEST_F(Locale, ALogKeepsTheFormatOfItsStream)
-{
-    std::ostringstream out;
-    out.imbue(std::locale(std::locale::classic(), new GermanPunctuation));
-    writeBenchmarkLog(out, BenchmarkLog());
-    out.str("");
-    out << 1234567.5;
-    EXPECT_EQ(out.str(), "1,23457e+06");
-}
-
-TEST_F(Locale, CampaignsAreTheSame)
-{
-    runCampaign("plain");
-    const CampaignRuns expected = readCampaignRuns(Campaign::journalFile(folder_ / "plain.log"));
-    ASSERT_EQ(expected.records.size(), 2U);
-    const std::string path = textOf(folder_ / "plain.geometric_Solver.0.path");
-    ASSERT_NE(path.find("9 5"), std::string::npos) << path;
-    const std::string print = Campaign(description()).fingerprint();
-    const auto expectSame = [&](const std::string &name)
+    TEST_F(Locale, LogsAreWrittenAndReadTheSame)
     {
-        EXPECT_EQ(Campaign(description()).fingerprint(), print) << name;
-        const CampaignResult found = runCampaign(name);
-        EXPECT_EQ(textOf(folder_ / (name + ".geometric_Solver.0.path")), path) << name;
-        EXPECT_NE(found.log.setup.find("extent: 14.1421\n"), std::string::npos) << name << ": " << found.log.setup;
-        const CampaignRuns back = readCampaignRuns(Campaign::journalFile(folder_ / (name + ".log")));
-        ASSERT_EQ(back.records.size(), 2U) << name;
-        for (std::size_t i = 0; i < 2; ++i)
+        BenchmarkLog log;
+        log.version = "1.5.2";
+        log.experiment = "e";
+        log.properties = {{"campaign TEXT", "c"}};
+        log.host = "here";
+        log.start = "2026-01-02 03:04:05";
+        log.seed = 1234567;
+        log.timeLimit = 0.125;
+        log.memoryLimit = 4096.5;
+        log.runCount = 1000;
+        log.duration = 12345.5;
+        PlannerLog planner;
+        planner.name = "geometric_A";
+        planner.progressNames = {"best cost REAL"};
+        for (int run = 0; run < 1000; ++run)
         {
-            EXPECT_EQ(back.records[i].common, expected.records[i].common) << name;
-            EXPECT_EQ(back.records[i].pathCost, expected.records[i].pathCost) << name;
-            expectPlainNumbers(back.records[i].properties);
+            planner.runs.push_back({{"run INTEGER", std::to_string(run)}, {"time REAL", "0.5"}, {"odd REAL", "-inf"}});
+            planner.progress.push_back({{0.25, {"1234.5"}}});
         }
-        EXPECT_EQ(logHeadFrom(back.header.description).timeLimit, 0.125) << name;
-    };
-    {
-        const ForeignStreams foreign;
-        expectSame("streams");
+        log.planners = {planner};
+        const auto written = [&log]
+        {
+            std::ostringstream out;
+            writeBenchmarkLog(out, log);
+            return out.str();
+        };
+        const std::string expected = written();
+        const auto expectSame = [&](const std::string &where)
+        {
+            EXPECT_EQ(written(), expected) << where;
+            const BenchmarkLog back = logHeadFrom(campaign::parseJson(campaign::jsonLine(toJson(log))));
+            EXPECT_EQ(back.timeLimit, 0.125) << where;
+            EXPECT_EQ(back.memoryLimit, 4096.5) << where;
+            EXPECT_EQ(back.seed, 1234567U) << where;
+            EXPECT_EQ(back.runCount, 1000U) << where;
+        };
+        {
+            const ForeignStreams foreign;
+            expectSame("streams");
+        }
+        const ForeignLibrary foreign;
+        if (foreign.isThere())
+            expectSame("library");
     }
-    const ForeignLibrary foreign;
-    if (foreign.isThere())
-        expectSame("library");
-}
 
-TEST_F(Locale, ARunThatIsMeasuredHereIsTheSame)
-{
-    RunSettings settings;
-    settings.timeLimit = 0.05;
-    settings.keepPath = true;
-    const auto measured = [&settings](RunState &state)
+    TEST_F(Locale, ALogKeepsTheFormatOfItsStream)
     {
-        return measureRun([] { return planarProblem(); },
-                          [](const ob::SpaceInformationPtr &si)
-                          { return std::make_shared<ompl::geometric::RRTConnect>(si); },
-                          settings, 1, state);
-    };
-    RunState plain;
-    const RunRecord expected = measured(plain);
-    ASSERT_TRUE(std::isfinite(plain.bestCost.load()));
-    const auto expectPlain = [&](const std::string &where)
+        std::ostringstream out;
+        out.imbue(std::locale(std::locale::classic(), new GermanPunctuation));
+        writeBenchmarkLog(out, BenchmarkLog());
+        out.str("");
+        out << 1234567.5;
+        EXPECT_EQ(out.str(), "1,23457e+06");
+    }
+
+    TEST_F(Locale, CampaignsAreTheSame)
     {
+        runCampaign("plain");
+        const CampaignRuns expected = readCampaignRuns(Campaign::journalFile(folder_ / "plain.log"));
+        ASSERT_EQ(expected.records.size(), 2U);
+        const std::string path = textOf(folder_ / "plain.geometric_Solver.0.path");
+        ASSERT_NE(path.find("9 5"), std::string::npos) << path;
+        const std::string print = Campaign(description()).fingerprint();
+        const auto expectSame = [&](const std::string &name)
+        {
+            EXPECT_EQ(Campaign(description()).fingerprint(), print) << name;
+            const CampaignResult found = runCampaign(name);
+            EXPECT_EQ(textOf(folder_ / (name + ".geometric_Solver.0.path")), path) << name;
+            EXPECT_NE(found.log.setup.find("extent: 14.1421\n"), std::string::npos) << name << ": " << found.log.setup;
+            const CampaignRuns back = readCampaignRuns(Campaign::journalFile(folder_ / (name + ".log")));
+            ASSERT_EQ(back.records.size(), 2U) << name;
+            for (std::size_t i = 0; i < 2; ++i)
+            {
+                EXPECT_EQ(back.records[i].common, expected.records[i].common) << name;
+                EXPECT_EQ(back.records[i].pathCost, expected.records[i].pathCost) << name;
+                expectPlainNumbers(back.records[i].properties);
+            }
+            EXPECT_EQ(logHeadFrom(back.header.description).timeLimit, 0.125) << name;
+        };
+        {
+            const ForeignStreams foreign;
+            expectSame("streams");
+        }
+        const ForeignLibrary foreign;
+        if (foreign.isThere())
+            expectSame("library");
+    }
+
+    TEST_F(Locale, ARunThatIsMeasuredHereIsTheSame)
+    {
+        RunSettings settings;
+        settings.timeLimit = 0.05;
+        settings.keepPath = true;
+        const auto measured = [&settings](RunState &state)
+        {
+            return measureRun([] { return planarProblem(); },
+                              [](const ob::SpaceInformationPtr &si)
+                              { return std::make_shared<ompl::geometric::RRTConnect>(si); },
+                              settings, 1, state);
+        };
+        RunState plain;
+        const RunRecord expected = measured(plain);
+        ASSERT_TRUE(std::isfinite(plain.bestCost.load()));
+        const auto expectPlain = [&](const std::string &where)
+        {
+            RunState state;
+            const RunRecord found = measured(state);
+            EXPECT_EQ(found.path.find(','), std::string::npos) << where << ": " << found.path;
+            const RunRecord back = readRunRecord(writeRunRecord(found));
+            EXPECT_EQ(back.pathCost, found.pathCost) << where;
+            EXPECT_EQ(back.properties, found.properties) << where;
+        };
+        {
+            const ForeignStreams foreign;
+            expectPlain("streams");
+        }
+        const ForeignLibrary foreign;
+        if (foreign.isThere())
+            expectPlain("library");
+    }
+
+    TEST_F(Locale, PublishedCostsAreReadWhole)
+    {
+        const ForeignLibrary foreign;
+        if (!foreign.isThere())
+            GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
+        class Publisher : public ompl::geometric::RRTConnect
+        {
+        public:
+            explicit Publisher(const ob::SpaceInformationPtr &si)
+              : RRTConnect(si)
+            {
+                addPlannerProgressProperty("best cost REAL", [] { return "9.75"; });
+            }
+        };
+        RunSettings settings;
+        settings.timeLimit = 0.05;
         RunState state;
-        const RunRecord found = measured(state);
-        EXPECT_EQ(found.path.find(','), std::string::npos) << where << ": " << found.path;
-        const RunRecord back = readRunRecord(writeRunRecord(found));
-        EXPECT_EQ(back.pathCost, found.pathCost) << where;
-        EXPECT_EQ(back.properties, found.properties) << where;
-    };
-    {
-        const ForeignStreams foreign;
-        expectPlain("streams");
+        measureRun([] { return planarProblem(); },
+                   [](const ob::SpaceInformationPtr &si) { return std::make_shared<Publisher>(si); }, settings, 1,
+                   state);
+        EXPECT_EQ(state.bestCost.load(), 9.75);
     }
-    const ForeignLibrary foreign;
-    if (foreign.isThere())
-        expectPlain("library");
-}
-
-TEST_F(Locale, PublishedCostsAreReadWhole)
-{
-    const ForeignLibrary foreign;
-    if (!foreign.isThere())
-        GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
-    class Publisher : public ompl::geometric::RRTConnect
-    {
-    public:
-        explicit Publisher(const ob::SpaceInformationPtr &si)
-          : RRTConnect(si)
-        {
-            addPlannerProgressProperty("best cost REAL", [] { return "9.75"; });
-        }
-    };
-    RunSettings settings;
-    settings.timeLimit = 0.05;
-    RunState state;
-    measureRun([] { return planarProblem(); },
-               [](const ob::SpaceInformationPtr &si) { return std::make_shared<Publisher>(si); }, settings, 1, state);
-    EXPECT_EQ(state.bestCost.load(), 9.75);
-}
+}  // namespace ompl_mfa::benchmark

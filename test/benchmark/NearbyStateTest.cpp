@@ -45,79 +45,82 @@
 
 #include "benchmark/ProblemSpace.h"
 
-namespace
+namespace ompl_mfa::benchmark
 {
-    namespace ob = ompl::base;
-    using ompl_mfa::benchmark::ConfigPose;
-    using ompl_mfa::benchmark::findNearbyState;
-    using ompl_mfa::benchmark::StateSpaceKind;
-
-    /* A problem in which states are valid outside of a ball about the origin. */
-    ob::SpaceInformationPtr ballProblem(StateSpaceKind kind, double radius, double high = 10.0)
+    namespace
     {
-        const unsigned int dimension = ompl_mfa::benchmark::positionDimension(kind);
-        ob::RealVectorBounds bounds(dimension);
-        bounds.setLow(-10.0);
-        bounds.setHigh(high);
-        ompl_mfa::benchmark::ProblemConfig problem;
-        problem.space = kind;
-        const auto space = ompl_mfa::benchmark::makeStateSpace(problem, bounds);
-        const auto si = std::make_shared<ob::SpaceInformation>(space);
-        si->setStateValidityChecker(
-            [space = space.get(), dimension, radius](const ob::State *state)
-            {
-                double squared = 0.0;
-                for (unsigned int i = 0; i < dimension; ++i)
-                    squared += std::pow(*space->getValueAddressAtIndex(state, i), 2);
-                return squared >= radius * radius;
-            });
-        si->setup();
-        return si;
+        namespace ob = ompl::base;
+        using benchmark::ConfigPose;
+        using benchmark::findNearbyState;
+        using benchmark::StateSpaceKind;
+
+        /* A problem in which states are valid outside of a ball about the origin. */
+        ob::SpaceInformationPtr ballProblem(StateSpaceKind kind, double radius, double high = 10.0)
+        {
+            const unsigned int dimension = benchmark::positionDimension(kind);
+            ob::RealVectorBounds bounds(dimension);
+            bounds.setLow(-10.0);
+            bounds.setHigh(high);
+            benchmark::ProblemConfig problem;
+            problem.space = kind;
+            const auto space = benchmark::makeStateSpace(problem, bounds);
+            const auto si = std::make_shared<ob::SpaceInformation>(space);
+            si->setStateValidityChecker(
+                [space = space.get(), dimension, radius](const ob::State *state)
+                {
+                    double squared = 0.0;
+                    for (unsigned int i = 0; i < dimension; ++i)
+                        squared += std::pow(*space->getValueAddressAtIndex(state, i), 2);
+                    return squared >= radius * radius;
+                });
+            si->setup();
+            return si;
+        }
+    }  // namespace
+
+    RC_GTEST_PROP(NearbyState, IsValidAndHardlyFartherThanTheNearest, ())
+    {
+        const auto kind =
+            *rc::gen::element(StateSpaceKind::R2, StateSpaceKind::R3, StateSpaceKind::SE2, StateSpaceKind::SE3);
+        const double depth = std::pow(10.0, -*rc::gen::inRange(1, 8)) * *rc::gen::inRange(1, 10);
+        const double angle = *rc::gen::inRange(0, 628) / 100.0;
+        const auto si = ballProblem(kind, 3.0);
+        ConfigPose pose;
+        pose.x = (3.0 - depth) * std::cos(angle);
+        pose.y = (3.0 - depth) * std::sin(angle);
+        pose.theta = 0.5;
+        const auto nearby = findNearbyState(*si, kind, pose, 1.5);
+        RC_ASSERT(nearby.has_value());
+        RC_ASSERT(si->isValid(makeState(si->getStateSpace(), kind, nearby->pose).get()));
+        const double distance = std::hypot(nearby->pose.x - pose.x, nearby->pose.y - pose.y, nearby->pose.z - pose.z);
+        RC_ASSERT(distance <= 1.0201 * nearby->distance);
+        // a direction may be off by 0.15; the surface bends away
+        RC_ASSERT(nearby->distance > depth - 1e-9);
+        RC_ASSERT(nearby->distance < 1.03 * depth + 1e-9);
+        RC_ASSERT(nearby->pose.theta == 0.5);
     }
-}  // namespace
 
-RC_GTEST_PROP(NearbyState, IsValidAndHardlyFartherThanTheNearest, ())
-{
-    const auto kind =
-        *rc::gen::element(StateSpaceKind::R2, StateSpaceKind::R3, StateSpaceKind::SE2, StateSpaceKind::SE3);
-    const double depth = std::pow(10.0, -*rc::gen::inRange(1, 8)) * *rc::gen::inRange(1, 10);
-    const double angle = *rc::gen::inRange(0, 628) / 100.0;
-    const auto si = ballProblem(kind, 3.0);
-    ConfigPose pose;
-    pose.x = (3.0 - depth) * std::cos(angle);
-    pose.y = (3.0 - depth) * std::sin(angle);
-    pose.theta = 0.5;
-    const auto nearby = findNearbyState(*si, kind, pose, 1.5);
-    RC_ASSERT(nearby.has_value());
-    RC_ASSERT(si->isValid(makeState(si->getStateSpace(), kind, nearby->pose).get()));
-    const double distance = std::hypot(nearby->pose.x - pose.x, nearby->pose.y - pose.y, nearby->pose.z - pose.z);
-    RC_ASSERT(distance <= 1.0201 * nearby->distance);
-    // a direction may be off by 0.15; the surface bends away
-    RC_ASSERT(nearby->distance > depth - 1e-9);
-    RC_ASSERT(nearby->distance < 1.03 * depth + 1e-9);
-    RC_ASSERT(nearby->pose.theta == 0.5);
-}
+    TEST(NearbyState, IsNotSoughtFartherThanAskedFor)
+    {
+        const auto si = ballProblem(StateSpaceKind::SE2, 3.0);
+        ConfigPose pose;
+        pose.x = 2.0;
+        EXPECT_FALSE(findNearbyState(*si, StateSpaceKind::SE2, pose, 0.95));
+        EXPECT_TRUE(findNearbyState(*si, StateSpaceKind::SE2, pose, 1.05));
+    }
 
-TEST(NearbyState, IsNotSoughtFartherThanAskedFor)
-{
-    const auto si = ballProblem(StateSpaceKind::SE2, 3.0);
-    ConfigPose pose;
-    pose.x = 2.0;
-    EXPECT_FALSE(findNearbyState(*si, StateSpaceKind::SE2, pose, 0.95));
-    EXPECT_TRUE(findNearbyState(*si, StateSpaceKind::SE2, pose, 1.05));
-}
-
-TEST(NearbyState, IsWithinTheBounds)
-{
-    // the nearest valid position, (3, 0), is beyond the bounds
-    const auto si = ballProblem(StateSpaceKind::R2, 3.0, 2.95);
-    ConfigPose pose;
-    pose.x = 2.9;
-    const auto nearby = findNearbyState(*si, StateSpaceKind::R2, pose, 2.0);
-    ASSERT_TRUE(nearby);
-    EXPECT_LE(nearby->pose.x, 2.95);
-    EXPECT_TRUE(si->isValid(makeState(si->getStateSpace(), StateSpaceKind::R2, nearby->pose).get()));
-    // (2.95, 0.5454) is the nearest, at the tip of a wedge between directions
-    EXPECT_GE(nearby->distance, std::hypot(2.9 - 2.95, std::sqrt(9.0 - 2.95 * 2.95)) - 1e-9);
-    EXPECT_LT(nearby->distance, 0.9);
-}
+    TEST(NearbyState, IsWithinTheBounds)
+    {
+        // the nearest valid position, (3, 0), is beyond the bounds
+        const auto si = ballProblem(StateSpaceKind::R2, 3.0, 2.95);
+        ConfigPose pose;
+        pose.x = 2.9;
+        const auto nearby = findNearbyState(*si, StateSpaceKind::R2, pose, 2.0);
+        ASSERT_TRUE(nearby);
+        EXPECT_LE(nearby->pose.x, 2.95);
+        EXPECT_TRUE(si->isValid(makeState(si->getStateSpace(), StateSpaceKind::R2, nearby->pose).get()));
+        // (2.95, 0.5454) is the nearest, at the tip of a wedge between directions
+        EXPECT_GE(nearby->distance, std::hypot(2.9 - 2.95, std::sqrt(9.0 - 2.95 * 2.95)) - 1e-9);
+        EXPECT_LT(nearby->distance, 0.9);
+    }
+}  // namespace ompl_mfa::benchmark

@@ -46,102 +46,105 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace ompl_mfa::benchmark
 {
-    namespace ob = ompl::base;
-    using ompl_mfa::benchmark::ObjectiveKind;
-    using ompl_mfa::benchmark::ProblemConfig;
-
-    /* Valid everywhere; the clearance is x, and infinite above 5. */
-    class ClearanceIsX : public ob::StateValidityChecker
+    namespace
     {
-    public:
-        using StateValidityChecker::StateValidityChecker;
+        namespace ob = ompl::base;
+        using benchmark::ObjectiveKind;
+        using benchmark::ProblemConfig;
 
-        bool isValid(const ob::State * /*state*/) const override
+        /* Valid everywhere; the clearance is x, and infinite above 5. */
+        class ClearanceIsX : public ob::StateValidityChecker
         {
-            return true;
+        public:
+            using StateValidityChecker::StateValidityChecker;
+
+            bool isValid(const ob::State * /*state*/) const override
+            {
+                return true;
+            }
+
+            double clearance(const ob::State *state) const override
+            {
+                const double x = state->as<ob::RealVectorStateSpace::StateType>()->values[0];
+                return x > 5.0 ? std::numeric_limits<double>::infinity() : x;
+            }
+        };
+
+        class ObjectiveFactory : public testing::Test
+        {
+        protected:
+            ObjectiveFactory()
+            {
+                auto space = std::make_shared<ob::RealVectorStateSpace>(2);
+                space->setBounds(0.0, 10.0);
+                si_ = std::make_shared<ob::SpaceInformation>(space);
+                si_->setStateValidityChecker(std::make_shared<ClearanceIsX>(si_));
+                si_->setup();
+            }
+
+            ob::OptimizationObjectivePtr make(ObjectiveKind kind) const
+            {
+                ProblemConfig problem;
+                problem.objective = kind;
+                return benchmark::makeObjective(si_, problem);
+            }
+
+            double cost(const ob::OptimizationObjectivePtr &objective, double x0, double y0, double x1, double y1) const
+            {
+                ob::ScopedState<ob::RealVectorStateSpace> from(si_);
+                ob::ScopedState<ob::RealVectorStateSpace> to(si_);
+                from[0] = x0;
+                from[1] = y0;
+                to[0] = x1;
+                to[1] = y1;
+                ompl::geometric::PathGeometric path(si_, from.get(), to.get());
+                return path.cost(objective).value();
+            }
+
+            ob::SpaceInformationPtr si_;
+        };
+
+        TEST_F(ObjectiveFactory, NoObjectiveWhereTheConfigNamesNone)
+        {
+            EXPECT_FALSE(benchmark::makeObjective(si_, ProblemConfig()));
         }
 
-        double clearance(const ob::State *state) const override
+        TEST_F(ObjectiveFactory, EachNameIsItsOwnObjective)
         {
-            const double x = state->as<ob::RealVectorStateSpace::StateType>()->values[0];
-            return x > 5.0 ? std::numeric_limits<double>::infinity() : x;
-        }
-    };
-
-    class ObjectiveFactory : public testing::Test
-    {
-    protected:
-        ObjectiveFactory()
-        {
-            auto space = std::make_shared<ob::RealVectorStateSpace>(2);
-            space->setBounds(0.0, 10.0);
-            si_ = std::make_shared<ob::SpaceInformation>(space);
-            si_->setStateValidityChecker(std::make_shared<ClearanceIsX>(si_));
-            si_->setup();
+            EXPECT_NEAR(cost(make(ObjectiveKind::LENGTH), 1, 1, 4, 5), 5.0, 1e-12);
+            EXPECT_TRUE(
+                std::dynamic_pointer_cast<ob::MaximizeMinClearanceObjective>(make(ObjectiveKind::MAX_MIN_CLEARANCE)));
+            EXPECT_NEAR(cost(make(ObjectiveKind::MECHANICAL_WORK), 1, 1, 4, 5), 5.0 * 1e-5, 1e-9)
+                << "OMPL weighs length by 1e-5";
         }
 
-        ob::OptimizationObjectivePtr make(ObjectiveKind kind) const
+        TEST_F(ObjectiveFactory, ProximityIsTheIntegralOfOneOverOnePlusClearance)
         {
             ProblemConfig problem;
-            problem.objective = kind;
-            return ompl_mfa::benchmark::makeObjective(si_, problem);
+            problem.objective = ObjectiveKind::WEIGHTED;
+            problem.objectiveWeights = {{ObjectiveKind::PROXIMITY, 1.0}};
+            const auto objective = benchmark::makeObjective(si_, problem);
+            EXPECT_NEAR(cost(objective, 0, 0, 4, 0), std::log(5.0), 5e-3);
+            EXPECT_NEAR(cost(objective, 6, 0, 6, 8), 0.0, 1e-12) << "nothing is near where the clearance is infinite";
         }
 
-        double cost(const ob::OptimizationObjectivePtr &objective, double x0, double y0, double x1, double y1) const
+        TEST_F(ObjectiveFactory, WeightsScaleAndAddTheirTerms)
         {
-            ob::ScopedState<ob::RealVectorStateSpace> from(si_);
-            ob::ScopedState<ob::RealVectorStateSpace> to(si_);
-            from[0] = x0;
-            from[1] = y0;
-            to[0] = x1;
-            to[1] = y1;
-            ompl::geometric::PathGeometric path(si_, from.get(), to.get());
-            return path.cost(objective).value();
+            ProblemConfig problem;
+            problem.objective = ObjectiveKind::WEIGHTED;
+            problem.objectiveWeights = {{ObjectiveKind::LENGTH, 2.0}, {ObjectiveKind::PROXIMITY, 3.0}};
+            EXPECT_NEAR(cost(benchmark::makeObjective(si_, problem), 0, 0, 4, 0), 2.0 * 4.0 + 3.0 * std::log(5.0),
+                        1e-2);
         }
 
-        ob::SpaceInformationPtr si_;
-    };
-
-    TEST_F(ObjectiveFactory, NoObjectiveWhereTheConfigNamesNone)
-    {
-        EXPECT_FALSE(ompl_mfa::benchmark::makeObjective(si_, ProblemConfig()));
-    }
-
-    TEST_F(ObjectiveFactory, EachNameIsItsOwnObjective)
-    {
-        EXPECT_NEAR(cost(make(ObjectiveKind::LENGTH), 1, 1, 4, 5), 5.0, 1e-12);
-        EXPECT_TRUE(
-            std::dynamic_pointer_cast<ob::MaximizeMinClearanceObjective>(make(ObjectiveKind::MAX_MIN_CLEARANCE)));
-        EXPECT_NEAR(cost(make(ObjectiveKind::MECHANICAL_WORK), 1, 1, 4, 5), 5.0 * 1e-5, 1e-9)
-            << "OMPL weighs length by 1e-5";
-    }
-
-    TEST_F(ObjectiveFactory, ProximityIsTheIntegralOfOneOverOnePlusClearance)
-    {
-        ProblemConfig problem;
-        problem.objective = ObjectiveKind::WEIGHTED;
-        problem.objectiveWeights = {{ObjectiveKind::PROXIMITY, 1.0}};
-        const auto objective = ompl_mfa::benchmark::makeObjective(si_, problem);
-        EXPECT_NEAR(cost(objective, 0, 0, 4, 0), std::log(5.0), 5e-3);
-        EXPECT_NEAR(cost(objective, 6, 0, 6, 8), 0.0, 1e-12) << "nothing is near where the clearance is infinite";
-    }
-
-    TEST_F(ObjectiveFactory, WeightsScaleAndAddTheirTerms)
-    {
-        ProblemConfig problem;
-        problem.objective = ObjectiveKind::WEIGHTED;
-        problem.objectiveWeights = {{ObjectiveKind::LENGTH, 2.0}, {ObjectiveKind::PROXIMITY, 3.0}};
-        EXPECT_NEAR(cost(ompl_mfa::benchmark::makeObjective(si_, problem), 0, 0, 4, 0), 2.0 * 4.0 + 3.0 * std::log(5.0),
-                    1e-2);
-    }
-
-    TEST_F(ObjectiveFactory, ThresholdIsTheConfigs)
-    {
-        ProblemConfig problem;
-        problem.objective = ObjectiveKind::LENGTH;
-        problem.objectiveThreshold = 7.5;
-        EXPECT_EQ(ompl_mfa::benchmark::makeObjective(si_, problem)->getCostThreshold().value(), 7.5);
-    }
-}  // namespace
+        TEST_F(ObjectiveFactory, ThresholdIsTheConfigs)
+        {
+            ProblemConfig problem;
+            problem.objective = ObjectiveKind::LENGTH;
+            problem.objectiveThreshold = 7.5;
+            EXPECT_EQ(benchmark::makeObjective(si_, problem)->getCostThreshold().value(), 7.5);
+        }
+    }  // namespace
+}  // namespace ompl_mfa::benchmark

@@ -45,78 +45,81 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace
+namespace ompl_mfa::benchmark
 {
-    og::PathGeometric pathThrough(const og::SimpleSetup &setup, const std::vector<std::pair<double, double>> &points)
+    namespace
     {
-        og::PathGeometric path(setup.getSpaceInformation());
-        ob::ScopedState<> state(setup.getStateSpace());
-        for (const auto &point : points)
+        og::PathGeometric pathThrough(const og::SimpleSetup &setup,
+                                      const std::vector<std::pair<double, double>> &points)
         {
-            state[0] = point.first;
-            state[1] = point.second;
-            path.append(state.get());
+            og::PathGeometric path(setup.getSpaceInformation());
+            ob::ScopedState<> state(setup.getStateSpace());
+            for (const auto &point : points)
+            {
+                state[0] = point.first;
+                state[1] = point.second;
+                path.append(state.get());
+            }
+            return path;
         }
-        return path;
-    }
 
-    const double *coordinates(const ob::State *state)
+        const double *coordinates(const ob::State *state)
+        {
+            return state->as<ob::RealVectorStateSpace::StateType>()->values;
+        }
+    }  // namespace
+
+    TEST(PathMetrics, ResampledStatesLieAtEqualDistances)
     {
-        return state->as<ob::RealVectorStateSpace::StateType>()->values;
+        const auto setup = test::planarProblem();
+        setup->getSpaceInformation()->setup();
+        auto path = pathThrough(*setup, {{0, 0}, {3, 0}, {3, 0.1}, {3, 4}});
+        auto resampled = benchmark::resamplePath(path, 0.5);
+        ASSERT_EQ(resampled.getStateCount(), 15u);  // 7 units in 14 motions
+        for (std::size_t i = 0; i < 15; ++i)
+        {
+            const double along = 0.5 * static_cast<double>(i);
+            EXPECT_NEAR(coordinates(resampled.getState(i))[0], std::min(along, 3.0), 1e-12);
+            EXPECT_NEAR(coordinates(resampled.getState(i))[1], std::max(along - 3.0, 0.0), 1e-12);
+        }
     }
-}  // namespace
 
-TEST(PathMetrics, ResampledStatesLieAtEqualDistances)
-{
-    const auto setup = ompl_mfa::test::planarProblem();
-    setup->getSpaceInformation()->setup();
-    auto path = pathThrough(*setup, {{0, 0}, {3, 0}, {3, 0.1}, {3, 4}});
-    auto resampled = ompl_mfa::benchmark::resamplePath(path, 0.5);
-    ASSERT_EQ(resampled.getStateCount(), 15u);  // 7 units in 14 motions
-    for (std::size_t i = 0; i < 15; ++i)
+    TEST(PathMetrics, DegeneratePathsAreLeftAlone)
     {
-        const double along = 0.5 * static_cast<double>(i);
-        EXPECT_NEAR(coordinates(resampled.getState(i))[0], std::min(along, 3.0), 1e-12);
-        EXPECT_NEAR(coordinates(resampled.getState(i))[1], std::max(along - 3.0, 0.0), 1e-12);
+        const auto setup = test::planarProblem();
+        setup->getSpaceInformation()->setup();
+        EXPECT_EQ(benchmark::resamplePath(pathThrough(*setup, {{1, 1}}), 0.1).getStateCount(), 1u);
+        EXPECT_EQ(benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}}), 0.1).getStateCount(), 2u);
+        // Repeated vertices, first, last and within.
+        auto path = benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}, {2, 1}, {2, 1}, {3, 1}, {3, 1}}), 1.0);
+        ASSERT_EQ(path.getStateCount(), 3u);
+        EXPECT_NEAR(coordinates(path.getState(1))[0], 2.0, 1e-12);
     }
-}
 
-TEST(PathMetrics, DegeneratePathsAreLeftAlone)
-{
-    const auto setup = ompl_mfa::test::planarProblem();
-    setup->getSpaceInformation()->setup();
-    EXPECT_EQ(ompl_mfa::benchmark::resamplePath(pathThrough(*setup, {{1, 1}}), 0.1).getStateCount(), 1u);
-    EXPECT_EQ(ompl_mfa::benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}}), 0.1).getStateCount(), 2u);
-    // Repeated vertices, first, last and within.
-    auto path =
-        ompl_mfa::benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}, {2, 1}, {2, 1}, {3, 1}, {3, 1}}), 1.0);
-    ASSERT_EQ(path.getStateCount(), 3u);
-    EXPECT_NEAR(coordinates(path.getState(1))[0], 2.0, 1e-12);
-}
+    TEST(PathMetrics, MinimumClearanceIsThatBetweenTheVertices)
+    {
+        const auto setup = test::planarProblem(1.0);
+        setup->getSpaceInformation()->setup();
+        // Passes the disc at distance 2 from the centre, in the middle of its only motion.
+        auto path = pathThrough(*setup, {{0, 7}, {10, 7}});
+        const double step = setup->getStateSpace()->getLongestValidSegmentLength();
+        EXPECT_NEAR(benchmark::measurePath(path).minimumClearance, 1.0, step * step);
+        EXPECT_GT(path.clearance(), 4.0);  // OMPL's own: the mean over the two ends
+    }
 
-TEST(PathMetrics, MinimumClearanceIsThatBetweenTheVertices)
-{
-    const auto setup = ompl_mfa::test::planarProblem(1.0);
-    setup->getSpaceInformation()->setup();
-    // Passes the disc at distance 2 from the centre, in the middle of its only motion.
-    auto path = pathThrough(*setup, {{0, 7}, {10, 7}});
-    const double step = setup->getStateSpace()->getLongestValidSegmentLength();
-    EXPECT_NEAR(ompl_mfa::benchmark::measurePath(path).minimumClearance, 1.0, step * step);
-    EXPECT_GT(path.clearance(), 4.0);  // OMPL's own: the mean over the two ends
-}
+    TEST(PathMetrics, DoesNotDependOnTheVertices)
+    {
+        const auto setup = test::planarProblem();
+        setup->getSpaceInformation()->setup();
+        auto coarse = pathThrough(*setup, {{0, 1}, {5, 1}, {9, 3}});
+        auto fine = pathThrough(*setup, {{0, 1}, {1, 1}, {2.5, 1}, {5, 1}, {7, 2}, {9, 3}});
+        const auto a = benchmark::measurePath(coarse);
+        const auto b = benchmark::measurePath(fine);
+        EXPECT_NEAR(a.smoothness, b.smoothness, 1e-6 * a.smoothness);
+        EXPECT_GT(a.smoothness, 0.0);
+        EXPECT_EQ(a.minimumClearance, b.minimumClearance);
+        EXPECT_GT(std::abs(coarse.smoothness() - fine.smoothness()), 0.01);
 
-TEST(PathMetrics, DoesNotDependOnTheVertices)
-{
-    const auto setup = ompl_mfa::test::planarProblem();
-    setup->getSpaceInformation()->setup();
-    auto coarse = pathThrough(*setup, {{0, 1}, {5, 1}, {9, 3}});
-    auto fine = pathThrough(*setup, {{0, 1}, {1, 1}, {2.5, 1}, {5, 1}, {7, 2}, {9, 3}});
-    const auto a = ompl_mfa::benchmark::measurePath(coarse);
-    const auto b = ompl_mfa::benchmark::measurePath(fine);
-    EXPECT_NEAR(a.smoothness, b.smoothness, 1e-6 * a.smoothness);
-    EXPECT_GT(a.smoothness, 0.0);
-    EXPECT_EQ(a.minimumClearance, b.minimumClearance);
-    EXPECT_GT(std::abs(coarse.smoothness() - fine.smoothness()), 0.01);
-
-    EXPECT_NEAR(ompl_mfa::benchmark::measurePath(pathThrough(*setup, {{0, 1}, {9, 1}})).smoothness, 0.0, 1e-9);
-}
+        EXPECT_NEAR(benchmark::measurePath(pathThrough(*setup, {{0, 1}, {9, 1}})).smoothness, 0.0, 1e-9);
+    }
+}  // namespace ompl_mfa::benchmark

@@ -45,141 +45,144 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace ompl_mfa::benchmark
 {
-    namespace ob = ompl::base;
-    using ompl_mfa::benchmark::ConfigPose;
-    using ompl_mfa::benchmark::ProblemConfig;
-    using ompl_mfa::benchmark::StateSpaceKind;
-
-    const double PI = std::acos(-1.0);
-
-    ob::StateSpacePtr spaceOf(StateSpaceKind kind, double turningRadius = 1.0)
+    namespace
     {
-        ProblemConfig problem;
-        problem.space = kind;
-        problem.turningRadius = turningRadius;
-        ob::RealVectorBounds bounds(ompl_mfa::benchmark::positionDimension(kind));
-        bounds.setLow(-10.0);
-        bounds.setHigh(10.0);
-        return ompl_mfa::benchmark::makeStateSpace(problem, bounds);
-    }
+        namespace ob = ompl::base;
+        using benchmark::ConfigPose;
+        using benchmark::ProblemConfig;
+        using benchmark::StateSpaceKind;
 
-    TEST(ProblemSpace, EachKindIsItsOwnSpace)
-    {
-        EXPECT_EQ(spaceOf(StateSpaceKind::R2)->getDimension(), 2u);
-        EXPECT_EQ(spaceOf(StateSpaceKind::R3)->getDimension(), 3u);
-        EXPECT_EQ(spaceOf(StateSpaceKind::SE2)->getDimension(), 3u);
-        EXPECT_EQ(spaceOf(StateSpaceKind::SE3)->getDimension(), 6u);
-        EXPECT_TRUE(std::dynamic_pointer_cast<ob::DubinsStateSpace>(spaceOf(StateSpaceKind::Dubins)));
-        EXPECT_FALSE(spaceOf(StateSpaceKind::Dubins)->hasSymmetricDistance());
-        EXPECT_TRUE(spaceOf(StateSpaceKind::DubinsSymmetric)->hasSymmetricDistance());
-        EXPECT_TRUE(std::dynamic_pointer_cast<ob::ReedsSheppStateSpace>(spaceOf(StateSpaceKind::ReedsShepp)));
-    }
+        const double PI = std::acos(-1.0);
 
-    TEST(ProblemSpace, CarsTurnOnTheGivenRadius)
-    {
-        ConfigPose from;
-        ConfigPose to;
-        to.y = 5.0;
-        to.theta = PI;
-        for (const auto kind : {StateSpaceKind::Dubins, StateSpaceKind::DubinsSymmetric})
+        ob::StateSpacePtr spaceOf(StateSpaceKind kind, double turningRadius = 1.0)
         {
-            const auto space = spaceOf(kind, 2.5);
-            const auto a = ompl_mfa::benchmark::makeState(space, kind, from);
-            const auto b = ompl_mfa::benchmark::makeState(space, kind, to);
-            EXPECT_NEAR(space->distance(a.get(), b.get()), 2.5 * PI, 1e-9) << "half a circle";
+            ProblemConfig problem;
+            problem.space = kind;
+            problem.turningRadius = turningRadius;
+            ob::RealVectorBounds bounds(benchmark::positionDimension(kind));
+            bounds.setLow(-10.0);
+            bounds.setHigh(10.0);
+            return benchmark::makeStateSpace(problem, bounds);
         }
-    }
 
-    TEST(ProblemSpace, AnglesOfAnySizeAreNormalised)
-    {
-        for (const auto kind : {StateSpaceKind::SE2, StateSpaceKind::ReedsShepp})
+        TEST(ProblemSpace, EachKindIsItsOwnSpace)
         {
-            const auto space = spaceOf(kind);
-            for (const double theta : {PI, -PI, 3.5 * PI, -1e6, 0.25})
+            EXPECT_EQ(spaceOf(StateSpaceKind::R2)->getDimension(), 2u);
+            EXPECT_EQ(spaceOf(StateSpaceKind::R3)->getDimension(), 3u);
+            EXPECT_EQ(spaceOf(StateSpaceKind::SE2)->getDimension(), 3u);
+            EXPECT_EQ(spaceOf(StateSpaceKind::SE3)->getDimension(), 6u);
+            EXPECT_TRUE(std::dynamic_pointer_cast<ob::DubinsStateSpace>(spaceOf(StateSpaceKind::Dubins)));
+            EXPECT_FALSE(spaceOf(StateSpaceKind::Dubins)->hasSymmetricDistance());
+            EXPECT_TRUE(spaceOf(StateSpaceKind::DubinsSymmetric)->hasSymmetricDistance());
+            EXPECT_TRUE(std::dynamic_pointer_cast<ob::ReedsSheppStateSpace>(spaceOf(StateSpaceKind::ReedsShepp)));
+        }
+
+        TEST(ProblemSpace, CarsTurnOnTheGivenRadius)
+        {
+            ConfigPose from;
+            ConfigPose to;
+            to.y = 5.0;
+            to.theta = PI;
+            for (const auto kind : {StateSpaceKind::Dubins, StateSpaceKind::DubinsSymmetric})
             {
-                ConfigPose pose;
-                pose.theta = theta;
-                const auto state = ompl_mfa::benchmark::makeState(space, kind, pose);
-                EXPECT_TRUE(space->satisfiesBounds(state.get())) << theta;
-                const double yaw = state->as<ob::SE2StateSpace::StateType>()->getYaw();
-                EXPECT_NEAR(std::cos(yaw), std::cos(theta), 1e-9);
-                EXPECT_NEAR(std::sin(yaw), std::sin(theta), 1e-9);
+                const auto space = spaceOf(kind, 2.5);
+                const auto a = benchmark::makeState(space, kind, from);
+                const auto b = benchmark::makeState(space, kind, to);
+                EXPECT_NEAR(space->distance(a.get(), b.get()), 2.5 * PI, 1e-9) << "half a circle";
             }
         }
-    }
 
-    TEST(ProblemSpace, AxesOfAnyLengthGiveUnitQuaternions)
-    {
-        const auto space = spaceOf(StateSpaceKind::SE3);
-        ConfigPose pose;
-        pose.axis[0] = 0.0;
-        pose.axis[1] = 20.0;
-        pose.axis[2] = 0.0;
-        pose.theta = PI / 2 + 4 * PI;
-        const auto state = ompl_mfa::benchmark::makeState(space, StateSpaceKind::SE3, pose);
-        EXPECT_TRUE(space->satisfiesBounds(state.get()));
-        const auto &rotation = state->as<ob::SE3StateSpace::StateType>()->rotation();
-        EXPECT_NEAR(std::abs(rotation.y), std::sqrt(0.5), 1e-12);
-        EXPECT_NEAR(std::abs(rotation.w), std::sqrt(0.5), 1e-12);
-    }
-
-    TEST(ProblemSpace, PositionsAreKeptEvenOutsideTheBounds)
-    {
-        const auto space = spaceOf(StateSpaceKind::SE2);
-        ConfigPose pose;
-        pose.x = 11.0;
-        EXPECT_FALSE(space->satisfiesBounds(ompl_mfa::benchmark::makeState(space, StateSpaceKind::SE2, pose).get()));
-    }
-
-    TEST(ProblemSpace, RotationWeightScalesTheRotationInTheDistance)
-    {
-        ProblemConfig problem;
-        problem.space = StateSpaceKind::SE2;
-        problem.rotationWeight = 3.0;
-        ob::RealVectorBounds bounds(2);
-        bounds.setLow(0.0);
-        bounds.setHigh(1.0);
-        const auto space = ompl_mfa::benchmark::makeStateSpace(problem, bounds);
-        ConfigPose turned;
-        turned.theta = 0.5;
-        EXPECT_NEAR(space->distance(ompl_mfa::benchmark::makeState(space, problem.space, {}).get(),
-                                    ompl_mfa::benchmark::makeState(space, problem.space, turned).get()),
-                    1.5, 1e-12);
-    }
-
-    TEST(ProblemSpace, EverySpaceProjectsToItsPosition)
-    {
-        for (const auto kind : {StateSpaceKind::R2, StateSpaceKind::R3, StateSpaceKind::SE2, StateSpaceKind::SE3,
-                                StateSpaceKind::Dubins, StateSpaceKind::ReedsShepp})
+        TEST(ProblemSpace, AnglesOfAnySizeAreNormalised)
         {
-            const auto space = spaceOf(kind);
-            auto si = std::make_shared<ob::SpaceInformation>(space);
-            si->setStateValidityChecker([](const ob::State *) { return true; });
-            si->setup();
-            ConfigPose pose;
-            pose.x = 1.0;
-            pose.y = -2.0;
-            pose.z = 3.0;
-            const auto projection = space->getDefaultProjection();
-            ASSERT_EQ(projection->getDimension(), ompl_mfa::benchmark::positionDimension(kind));
-            Eigen::VectorXd position(projection->getDimension());
-            projection->project(ompl_mfa::benchmark::makeState(space, kind, pose).get(), position);
-            EXPECT_EQ(position[0], 1.0);
-            EXPECT_EQ(position[1], -2.0);
+            for (const auto kind : {StateSpaceKind::SE2, StateSpaceKind::ReedsShepp})
+            {
+                const auto space = spaceOf(kind);
+                for (const double theta : {PI, -PI, 3.5 * PI, -1e6, 0.25})
+                {
+                    ConfigPose pose;
+                    pose.theta = theta;
+                    const auto state = benchmark::makeState(space, kind, pose);
+                    EXPECT_TRUE(space->satisfiesBounds(state.get())) << theta;
+                    const double yaw = state->as<ob::SE2StateSpace::StateType>()->getYaw();
+                    EXPECT_NEAR(std::cos(yaw), std::cos(theta), 1e-9);
+                    EXPECT_NEAR(std::sin(yaw), std::sin(theta), 1e-9);
+                }
+            }
         }
-    }
 
-    TEST(ProblemSpace, PosesAreDescribedByTheCoordinatesOfTheirSpace)
-    {
-        ConfigPose pose;
-        pose.x = 1.5;
-        pose.z = 3.0;
-        pose.theta = 0.5;
-        EXPECT_EQ(ompl_mfa::benchmark::describePose(StateSpaceKind::R2, pose), "(1.5, 0)");
-        EXPECT_EQ(ompl_mfa::benchmark::describePose(StateSpaceKind::R3, pose), "(1.5, 0, 3)");
-        EXPECT_EQ(ompl_mfa::benchmark::describePose(StateSpaceKind::Dubins, pose), "(1.5, 0, theta 0.5)");
-        EXPECT_EQ(ompl_mfa::benchmark::describePose(StateSpaceKind::SE3, pose), "(1.5, 0, 3, theta 0.5)");
-    }
-}  // namespace
+        TEST(ProblemSpace, AxesOfAnyLengthGiveUnitQuaternions)
+        {
+            const auto space = spaceOf(StateSpaceKind::SE3);
+            ConfigPose pose;
+            pose.axis[0] = 0.0;
+            pose.axis[1] = 20.0;
+            pose.axis[2] = 0.0;
+            pose.theta = PI / 2 + 4 * PI;
+            const auto state = benchmark::makeState(space, StateSpaceKind::SE3, pose);
+            EXPECT_TRUE(space->satisfiesBounds(state.get()));
+            const auto &rotation = state->as<ob::SE3StateSpace::StateType>()->rotation();
+            EXPECT_NEAR(std::abs(rotation.y), std::sqrt(0.5), 1e-12);
+            EXPECT_NEAR(std::abs(rotation.w), std::sqrt(0.5), 1e-12);
+        }
+
+        TEST(ProblemSpace, PositionsAreKeptEvenOutsideTheBounds)
+        {
+            const auto space = spaceOf(StateSpaceKind::SE2);
+            ConfigPose pose;
+            pose.x = 11.0;
+            EXPECT_FALSE(space->satisfiesBounds(benchmark::makeState(space, StateSpaceKind::SE2, pose).get()));
+        }
+
+        TEST(ProblemSpace, RotationWeightScalesTheRotationInTheDistance)
+        {
+            ProblemConfig problem;
+            problem.space = StateSpaceKind::SE2;
+            problem.rotationWeight = 3.0;
+            ob::RealVectorBounds bounds(2);
+            bounds.setLow(0.0);
+            bounds.setHigh(1.0);
+            const auto space = benchmark::makeStateSpace(problem, bounds);
+            ConfigPose turned;
+            turned.theta = 0.5;
+            EXPECT_NEAR(space->distance(benchmark::makeState(space, problem.space, {}).get(),
+                                        benchmark::makeState(space, problem.space, turned).get()),
+                        1.5, 1e-12);
+        }
+
+        TEST(ProblemSpace, EverySpaceProjectsToItsPosition)
+        {
+            for (const auto kind : {StateSpaceKind::R2, StateSpaceKind::R3, StateSpaceKind::SE2, StateSpaceKind::SE3,
+                                    StateSpaceKind::Dubins, StateSpaceKind::ReedsShepp})
+            {
+                const auto space = spaceOf(kind);
+                auto si = std::make_shared<ob::SpaceInformation>(space);
+                si->setStateValidityChecker([](const ob::State *) { return true; });
+                si->setup();
+                ConfigPose pose;
+                pose.x = 1.0;
+                pose.y = -2.0;
+                pose.z = 3.0;
+                const auto projection = space->getDefaultProjection();
+                ASSERT_EQ(projection->getDimension(), benchmark::positionDimension(kind));
+                Eigen::VectorXd position(projection->getDimension());
+                projection->project(benchmark::makeState(space, kind, pose).get(), position);
+                EXPECT_EQ(position[0], 1.0);
+                EXPECT_EQ(position[1], -2.0);
+            }
+        }
+
+        TEST(ProblemSpace, PosesAreDescribedByTheCoordinatesOfTheirSpace)
+        {
+            ConfigPose pose;
+            pose.x = 1.5;
+            pose.z = 3.0;
+            pose.theta = 0.5;
+            EXPECT_EQ(benchmark::describePose(StateSpaceKind::R2, pose), "(1.5, 0)");
+            EXPECT_EQ(benchmark::describePose(StateSpaceKind::R3, pose), "(1.5, 0, 3)");
+            EXPECT_EQ(benchmark::describePose(StateSpaceKind::Dubins, pose), "(1.5, 0, theta 0.5)");
+            EXPECT_EQ(benchmark::describePose(StateSpaceKind::SE3, pose), "(1.5, 0, 3, theta 0.5)");
+        }
+    }  // namespace
+}  // namespace ompl_mfa::benchmark

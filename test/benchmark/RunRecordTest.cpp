@@ -40,51 +40,52 @@
 
 #include <gtest/gtest.h>
 
-using ompl_mfa::benchmark::RunRecord;
-
-namespace
+namespace ompl_mfa::benchmark
 {
-    RunRecord someRecord(unsigned int run)
+    namespace
     {
-        RunRecord record;
-        record.planner = "geometric_A";
-        record.run = run;
-        record.seed = 2147483647u;
-        record.termination = ompl_mfa::campaign::RunTermination::Signal;
-        record.signal = 11;
-        record.message = "line one\nbytes \xff\xfe";
-        record.properties = {{"time REAL", "inf"}, {"status ENUM", "7"}};
-        record.common = {{"range", "1"}};
-        record.setup = "text\n";
-        record.progressNames = {"best cost REAL"};
-        record.progress = {{0.001, {"nan"}}, {0.1234567890123, {"1.5"}}};
-        record.path = "1 2\n3 4\n";
-        record.pathCost = 0.1;
-        return record;
-    }
-}  // namespace
+        RunRecord someRecord(unsigned int run)
+        {
+            RunRecord record;
+            record.planner = "geometric_A";
+            record.run = run;
+            record.seed = 2147483647u;
+            record.termination = campaign::RunTermination::Signal;
+            record.signal = 11;
+            record.message = "line one\nbytes \xff\xfe";
+            record.properties = {{"time REAL", "inf"}, {"status ENUM", "7"}};
+            record.common = {{"range", "1"}};
+            record.setup = "text\n";
+            record.progressNames = {"best cost REAL"};
+            record.progress = {{0.001, {"nan"}}, {0.1234567890123, {"1.5"}}};
+            record.path = "1 2\n3 4\n";
+            record.pathCost = 0.1;
+            return record;
+        }
+    }  // namespace
 
-TEST(RunRecord, ComesBackAsItWas)
-{
-    const RunRecord before = someRecord(3);
-    const std::string line = ompl_mfa::benchmark::writeRunRecord(before);
-    EXPECT_EQ(line.find('\n'), std::string::npos);
-    const RunRecord after = ompl_mfa::benchmark::readRunRecord(line);
-    EXPECT_EQ(after.planner, before.planner);
-    EXPECT_EQ(after.run, before.run);
-    EXPECT_EQ(after.seed, before.seed);
-    EXPECT_EQ(after.termination, before.termination);
-    EXPECT_EQ(after.signal, before.signal);
-    EXPECT_EQ(after.message.substr(0, 15), before.message.substr(0, 15));
-    EXPECT_EQ(after.properties, before.properties);
-    EXPECT_EQ(after.common, before.common);
-    EXPECT_EQ(after.setup, before.setup);
-    EXPECT_EQ(after.progressNames, before.progressNames);
-    ASSERT_EQ(after.progress.size(), 2u);
-    EXPECT_EQ(after.progress[1].time, before.progress[1].time);
-    EXPECT_EQ(after.progress[1].values, before.progress[1].values);
-    EXPECT_EQ(after.path, before.path);
-    EXPECT_EQ(after.pathCost, before.pathCost);
-    EXPECT_THROW(ompl_mfa::benchmark::readRunRecord("{}"), std::invalid_argument);
-    EXPECT_THROW(ompl_mfa::benchmark::readRunRecord(line.substr(0, line.size() / 2)), std::invalid_argument);
-}
+    TEST(RunRecord, ComesBackAsItWas)
+    {
+        const RunRecord before = someRecord(3);
+        const std::string line = benchmark::writeRunRecord(before);
+        EXPECT_EQ(line.find('\n'), std::string::npos);
+        const RunRecord after = benchmark::readRunRecord(line);
+        EXPECT_EQ(after.planner, before.planner);
+        EXPECT_EQ(after.run, before.run);
+        EXPECT_EQ(after.seed, before.seed);
+        EXPECT_EQ(after.termination, before.termination);
+        EXPECT_EQ(after.signal, before.signal);
+        EXPECT_EQ(after.message.substr(0, 15), before.message.substr(0, 15));
+        EXPECT_EQ(after.properties, before.properties);
+        EXPECT_EQ(after.common, before.common);
+        EXPECT_EQ(after.setup, before.setup);
+        EXPECT_EQ(after.progressNames, before.progressNames);
+        ASSERT_EQ(after.progress.size(), 2u);
+        EXPECT_EQ(after.progress[1].time, before.progress[1].time);
+        EXPECT_EQ(after.progress[1].values, before.progress[1].values);
+        EXPECT_EQ(after.path, before.path);
+        EXPECT_EQ(after.pathCost, before.pathCost);
+        EXPECT_THROW(benchmark::readRunRecord("{}"), std::invalid_argument);
+        EXPECT_THROW(benchmark::readRunRecord(line.substr(0, line.size() / 2)), std::invalid_argument);
+    }
+}  // namespace ompl_mfa::benchmark

@@ -40,25 +40,27 @@
 
 #include <gtest/gtest.h>
 
-using ompl_mfa::benchmark::RunRecord;
 using ompl_mfa::campaign::RunTermination;
 
-TEST(RunText, SaysWhatCameOut)
+namespace ompl_mfa::benchmark
 {
-    RunRecord record;
-    record.termination = RunTermination::Returned;
-    record.properties = {{"status ENUM", "6"}, {"path cost REAL", "12.5"}, {"simplified path cost REAL", "11"}};
-    EXPECT_EQ(describeRun(record), "Exact solution, cost 12.5, simplified 11");
-    record.properties = {{"status ENUM", "4"}};
-    EXPECT_EQ(describeRun(record), "Timeout");
-}
+    TEST(RunText, SaysWhatCameOut)
+    {
+        RunRecord record;
+        record.termination = RunTermination::Returned;
+        record.properties = {{"status ENUM", "6"}, {"path cost REAL", "12.5"}, {"simplified path cost REAL", "11"}};
+        EXPECT_EQ(describeRun(record), "Exact solution, cost 12.5, simplified 11");
+        record.properties = {{"status ENUM", "4"}};
+        EXPECT_EQ(describeRun(record), "Timeout");
+    }
 
-TEST(RunText, SaysWhyARunDidNotReturn)
-{
-    RunRecord record;
-    record.termination = RunTermination::Signal;
-    record.signal = SIGABRT;
-    EXPECT_EQ(describeRun(record), "ended by signal 6 (Aborted)");
-    record.message = "first\nassertion\x1b failed";
-    EXPECT_EQ(describeRun(record), "ended by signal 6 (Aborted): assertion\\x1b failed");
-}
+    TEST(RunText, SaysWhyARunDidNotReturn)
+    {
+        RunRecord record;
+        record.termination = RunTermination::Signal;
+        record.signal = SIGABRT;
+        EXPECT_EQ(describeRun(record), "ended by signal 6 (Aborted)");
+        record.message = "first\nassertion\x1b failed";
+        EXPECT_EQ(describeRun(record), "ended by signal 6 (Aborted): assertion\\x1b failed");
+    }
+}  // namespace ompl_mfa::benchmark

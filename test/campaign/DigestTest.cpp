@@ -38,18 +38,19 @@
 
 #include <gtest/gtest.h>
 
-using ompl_mfa::campaign::digestOf;
-
-TEST(Digest, IsThatOfFowlerNollAndVo)
+namespace ompl_mfa::campaign
 {
-    EXPECT_EQ(digestOf({}), "cbf29ce484222325");
-    // FNV-1a of the bytes "foobar" and a NUL: that of "foobar" (their table), times the prime
-    EXPECT_EQ(digestOf({"foobar"}), "34531ca7168b8f38");
-}
+    TEST(Digest, IsThatOfFowlerNollAndVo)
+    {
+        EXPECT_EQ(digestOf({}), "cbf29ce484222325");
+        // FNV-1a of the bytes "foobar" and a NUL: that of "foobar" (their table), times the prime
+        EXPECT_EQ(digestOf({"foobar"}), "34531ca7168b8f38");
+    }
 
-TEST(Digest, TellsTextsApart)
-{
-    EXPECT_NE(digestOf({"a", "bc"}), digestOf({"ab", "c"}));
-    EXPECT_NE(digestOf({"a"}), digestOf({"a", ""}));
-    EXPECT_EQ(digestOf({"a", "bc"}), digestOf({"a", "bc"}));
-}
+    TEST(Digest, TellsTextsApart)
+    {
+        EXPECT_NE(digestOf({"a", "bc"}), digestOf({"ab", "c"}));
+        EXPECT_NE(digestOf({"a"}), digestOf({"a", ""}));
+        EXPECT_EQ(digestOf({"a", "bc"}), digestOf({"a", "bc"}));
+    }
+}  // namespace ompl_mfa::campaign

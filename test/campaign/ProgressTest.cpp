@@ -42,51 +42,51 @@
 
 #include "ForeignLocale.h"
 
-using ompl_mfa::campaign::formatDuration;
-using ompl_mfa::campaign::Progress;
-
-TEST(Progress, ShowsABarWithTheRunAndTheTimeLeft)
+namespace ompl_mfa::campaign
 {
-    std::ostringstream out;
-    Progress progress(&out, true, 10, 4);
-    ASSERT_TRUE(progress.isDue());
-    progress.running("RRTstar, run 3", 125.0);
-    EXPECT_NE(out.str().find("4/10  RRTstar, run 3  time left 2:05"), std::string::npos) << out.str();
-    EXPECT_FALSE(progress.isDue()) << "not so soon";
-    progress.finished("RRTstar, run 3", "solved", false);
-    EXPECT_EQ(out.str().find("solved"), std::string::npos);
-    progress.finished("RRTstar, run 4", "killed", true);
-    EXPECT_NE(out.str().find("6/10  RRTstar, run 4: killed\n"), std::string::npos) << out.str();
-}
+    TEST(Progress, ShowsABarWithTheRunAndTheTimeLeft)
+    {
+        std::ostringstream out;
+        Progress progress(&out, true, 10, 4);
+        ASSERT_TRUE(progress.isDue());
+        progress.running("RRTstar, run 3", 125.0);
+        EXPECT_NE(out.str().find("4/10  RRTstar, run 3  time left 2:05"), std::string::npos) << out.str();
+        EXPECT_FALSE(progress.isDue()) << "not so soon";
+        progress.finished("RRTstar, run 3", "solved", false);
+        EXPECT_EQ(out.str().find("solved"), std::string::npos);
+        progress.finished("RRTstar, run 4", "killed", true);
+        EXPECT_NE(out.str().find("6/10  RRTstar, run 4: killed\n"), std::string::npos) << out.str();
+    }
 
-TEST(Progress, ShowsALineARunWhereThereIsNoTerminal)
-{
-    std::ostringstream out;
-    Progress progress(&out, false, 2, 0);
-    progress.running("X, run 1", 1.0);
-    EXPECT_EQ(out.str(), "");
-    progress.finished("X, run 1", "solved", false);
-    EXPECT_EQ(out.str(), "1/2  X, run 1: solved\n");
-    Progress silent(nullptr, true, 2, 0);
-    EXPECT_FALSE(silent.isDue());
-    silent.running("X, run 1", 1.0);
-    silent.finished("X, run 1", "solved", true);
-    silent.close();
-}
+    TEST(Progress, ShowsALineARunWhereThereIsNoTerminal)
+    {
+        std::ostringstream out;
+        Progress progress(&out, false, 2, 0);
+        progress.running("X, run 1", 1.0);
+        EXPECT_EQ(out.str(), "");
+        progress.finished("X, run 1", "solved", false);
+        EXPECT_EQ(out.str(), "1/2  X, run 1: solved\n");
+        Progress silent(nullptr, true, 2, 0);
+        EXPECT_FALSE(silent.isDue());
+        silent.running("X, run 1", 1.0);
+        silent.finished("X, run 1", "solved", true);
+        silent.close();
+    }
 
-TEST(Progress, WritesDurationsAsClocksDo)
-{
-    EXPECT_EQ(formatDuration(3.4), "3 s");
-    EXPECT_EQ(formatDuration(125.0), "2:05");
-    EXPECT_EQ(formatDuration(3725.0), "1:02:05");
-    EXPECT_EQ(formatDuration(-1.0), "0 s");
-}
+    TEST(Progress, WritesDurationsAsClocksDo)
+    {
+        EXPECT_EQ(formatDuration(3.4), "3 s");
+        EXPECT_EQ(formatDuration(125.0), "2:05");
+        EXPECT_EQ(formatDuration(3725.0), "1:02:05");
+        EXPECT_EQ(formatDuration(-1.0), "0 s");
+    }
 
-TEST(Progress, CountsWithoutGroupsOfDigits)
-{
-    const ompl_mfa::test::ForeignStreams foreign;
-    std::ostringstream out;
-    Progress progress(&out, false, 20000, 9999);
-    progress.finished("A, run 5000", "killed", true);
-    EXPECT_EQ(out.str(), "10000/20000  A, run 5000: killed\n");
-}
+    TEST(Progress, CountsWithoutGroupsOfDigits)
+    {
+        const test::ForeignStreams foreign;
+        std::ostringstream out;
+        Progress progress(&out, false, 20000, 9999);
+        progress.finished("A, run 5000", "killed", true);
+        EXPECT_EQ(out.str(), "10000/20000  A, run 5000: killed\n");
+    }
+}  // namespace ompl_mfa::campaign

@@ -49,122 +49,126 @@
 #include "cli/ConfigFixture.h"
 #include "cli/Figure.h"
 
-namespace
+namespace ompl_mfa::cli
 {
-    /** \brief Cairo numbers its surfaces through the life of a process. */
-    std::string withoutSurface(const std::string &svg)
+    namespace
     {
-        return std::regex_replace(svg, std::regex("id=\"surface[0-9]+\""), "");
+        /** \brief Cairo numbers its surfaces through the life of a process. */
+        std::string withoutSurface(const std::string &svg)
+        {
+            return std::regex_replace(svg, std::regex("id=\"surface[0-9]+\""), "");
+        }
+
+        /** \brief The commands in the process of the test, whose locale it can set. */
+        class Locale : public ConfigFixture
+        {
+        protected:
+            Locale()
+            {
+                ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+                config("start.x = 1.25\nstart.y = 3\n", "mfa_paper =\nmfa_paper.slices = 5\n");
+            }
+
+            ~Locale() override
+            {
+                ompl::msg::setLogLevel(ompl::msg::LOG_DEBUG);
+            }
+
+            /** \brief What a command prints; with the message, what it refuses. */
+            static std::string printed(std::vector<std::string> arguments)
+            {
+                CLI::App app{"test", "ompl_mfa"};
+                cli::addBenchmarkCommand(app);
+                cli::addCheckCommand(app);
+                cli::addOptimizeCommand(app);
+                cli::addPlanCommand(app);
+                std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+                std::string message;
+                testing::internal::CaptureStdout();
+                try
+                {
+                    app.parse(reversed);
+                }
+                catch (const CLI::RuntimeError &)
+                {
+                    message = "";
+                }
+                catch (const std::exception &error)
+                {
+                    message = error.what();
+                }
+                return testing::internal::GetCapturedStdout() + message;
+            }
+
+            /** \brief What the commands print and write, as far as a clock has no part in it. */
+            std::string everything() const
+            {
+                const std::string file = path("a.cfg");
+                // what a state check takes is another number each time, but one that is written alike
+                const std::regex checkTime(R"((check +|state_check_time"?[:=] ?)[0-9]+\.?[0-9]*(e-[0-9]+)?)");
+                std::string all = std::regex_replace(printed({"check", file}) + printed({"check", file, "--json"}),
+                                                     checkTime, "$1TIME");
+                all +=
+                    printed({"optimize", "--runs", "1", "--generations", "2", "--population", "1200", "--gamma", "0.5",
+                             "--alpha", "0.25", "--eta", "1.5", "--dimension", "2", "--picture", path("swarm.svg")});
+                const std::string plan = printed({"plan", file, "--planner", "mfa_paper", "--iterations", "2000",
+                                                  "--time", "60.5", "--parameter", "population_size=12", "--path",
+                                                  path("a.path"), "--picture", path("a.svg")});
+                all += plan.substr(0, plan.find("time to first solution"));
+                all += plan.substr(plan.find("states "));
+                for (const char *name : {"swarm.svg", "a.path", "a.svg"})
+                {
+                    EXPECT_NE(readFile(path(name)), "") << name;
+                    all += withoutSurface(readFile(path(name)));
+                    std::filesystem::remove(path(name));
+                }
+                all += printed({"plan", file, "--time", "0,5"}) + printed({"plan", file, "--time", "-1234567.5"});
+                all += printed({"benchmark", file, "--grace", "0,5"}) + printed({"optimize", "--gamma", "1,5"});
+                return all + printed({"optimize", "--alpha", "1234.5"});
+            }
+        };
+    }  // namespace
+
+    TEST_F(Locale, CommandsReadAndWriteTheSameWhateverStreamsTakeForNumbers)
+    {
+        const std::string expected = everything();
+        EXPECT_NE(expected.find("--time -1234567.5: "), std::string::npos) << expected.substr(expected.size() - 600);
+        EXPECT_NE(expected.find("alpha = 1234.5 "), std::string::npos);
+        for (const char *refused : {"--time 0,5: ", "--grace 0,5: ", "--gamma 1,5: "})
+            EXPECT_NE(expected.find(refused), std::string::npos) << expected.substr(expected.size() - 600);
+        const test::ForeignStreams foreign;
+        EXPECT_EQ(everything(), expected);
     }
 
-    /** \brief The commands in the process of the test, whose locale it can set. */
-    class Locale : public ConfigFixture
+    TEST_F(Locale, CommandsReadAndWriteTheSameWhateverTheLibraryTakesForNumbers)
     {
-    protected:
-        Locale()
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-            config("start.x = 1.25\nstart.y = 3\n", "mfa_paper =\nmfa_paper.slices = 5\n");
-        }
+        const std::string expected = everything();
+        const test::ForeignLibrary foreign;
+        if (!foreign.isThere())
+            GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
+        EXPECT_EQ(everything(), expected);
+    }
 
-        ~Locale() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_DEBUG);
-        }
-
-        /** \brief What a command prints; with the message, what it refuses. */
-        static std::string printed(std::vector<std::string> arguments)
-        {
-            CLI::App app{"test", "ompl_mfa"};
-            ompl_mfa::cli::addBenchmarkCommand(app);
-            ompl_mfa::cli::addCheckCommand(app);
-            ompl_mfa::cli::addOptimizeCommand(app);
-            ompl_mfa::cli::addPlanCommand(app);
-            std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
-            std::string message;
-            testing::internal::CaptureStdout();
-            try
-            {
-                app.parse(reversed);
-            }
-            catch (const CLI::RuntimeError &)
-            {
-                message = "";
-            }
-            catch (const std::exception &error)
-            {
-                message = error.what();
-            }
-            return testing::internal::GetCapturedStdout() + message;
-        }
-
-        /** \brief What the commands print and write, as far as a clock has no part in it. */
-        std::string everything() const
-        {
-            const std::string file = path("a.cfg");
-            // what a state check takes is another number each time, but one that is written alike
-            const std::regex checkTime(R"((check +|state_check_time"?[:=] ?)[0-9]+\.?[0-9]*(e-[0-9]+)?)");
-            std::string all =
-                std::regex_replace(printed({"check", file}) + printed({"check", file, "--json"}), checkTime, "$1TIME");
-            all += printed({"optimize", "--runs", "1", "--generations", "2", "--population", "1200", "--gamma", "0.5",
-                            "--alpha", "0.25", "--eta", "1.5", "--dimension", "2", "--picture", path("swarm.svg")});
-            const std::string plan =
-                printed({"plan", file, "--planner", "mfa_paper", "--iterations", "2000", "--time", "60.5",
-                         "--parameter", "population_size=12", "--path", path("a.path"), "--picture", path("a.svg")});
-            all += plan.substr(0, plan.find("time to first solution"));
-            all += plan.substr(plan.find("states "));
-            for (const char *name : {"swarm.svg", "a.path", "a.svg"})
-            {
-                EXPECT_NE(readFile(path(name)), "") << name;
-                all += withoutSurface(readFile(path(name)));
-                std::filesystem::remove(path(name));
-            }
-            all += printed({"plan", file, "--time", "0,5"}) + printed({"plan", file, "--time", "-1234567.5"});
-            all += printed({"benchmark", file, "--grace", "0,5"}) + printed({"optimize", "--gamma", "1,5"});
-            return all + printed({"optimize", "--alpha", "1234.5"});
-        }
-    };
-}  // namespace
-
-TEST_F(Locale, CommandsReadAndWriteTheSameWhateverStreamsTakeForNumbers)
-{
-    const std::string expected = everything();
-    EXPECT_NE(expected.find("--time -1234567.5: "), std::string::npos) << expected.substr(expected.size() - 600);
-    EXPECT_NE(expected.find("alpha = 1234.5 "), std::string::npos);
-    for (const char *refused : {"--time 0,5: ", "--grace 0,5: ", "--gamma 1,5: "})
-        EXPECT_NE(expected.find(refused), std::string::npos) << expected.substr(expected.size() - 600);
-    const ompl_mfa::test::ForeignStreams foreign;
-    EXPECT_EQ(everything(), expected);
-}
-
-TEST_F(Locale, CommandsReadAndWriteTheSameWhateverTheLibraryTakesForNumbers)
-{
-    const std::string expected = everything();
-    const ompl_mfa::test::ForeignLibrary foreign;
-    if (!foreign.isThere())
-        GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
-    EXPECT_EQ(everything(), expected);
-}
-
-TEST_F(Locale, PicturesHavePointsInTheirNumbers)
-{
-    ompl_mfa::cli::Axes axes("title", "x (m)", "y (m)", {0.0, 0.0}, {12000.0, 900.5});
-    axes.addPolyline({{0.0, 0.0}, {6000.5, 0.25}}, {0x000000, 0.75, std::nullopt, 0.5}, "a line");
-    axes.addMarkers({{10.0, 0.25}}, 2.5, {0x000000, 0.75, std::nullopt, 0.5}, "a point");
-    ompl_mfa::cli::Figure figure;
-    figure.addAxes(axes);
-    using ompl_mfa::cli::PictureFormat;
-    for (const auto format : {PictureFormat::SVG, PictureFormat::PNG, PictureFormat::PDF})
+    TEST_F(Locale, PicturesHavePointsInTheirNumbers)
     {
-        const std::string expected = withoutSurface(figure.render(format));
+        cli::Axes axes("title", "x (m)", "y (m)", {0.0, 0.0}, {12000.0, 900.5});
+        axes.addPolyline({{0.0, 0.0}, {6000.5, 0.25}}, {0x000000, 0.75, std::nullopt, 0.5}, "a line");
+        axes.addMarkers({{10.0, 0.25}}, 2.5, {0x000000, 0.75, std::nullopt, 0.5}, "a point");
+        cli::Figure figure;
+        figure.addAxes(axes);
+        using cli::PictureFormat;
+        for (const auto format : {PictureFormat::SVG, PictureFormat::PNG, PictureFormat::PDF})
         {
-            const ompl_mfa::test::ForeignStreams foreign;
-            EXPECT_EQ(withoutSurface(figure.render(format)), expected);
-        }
-        const ompl_mfa::test::ForeignLibrary foreign;
-        if (foreign.isThere())
-        {
-            EXPECT_EQ(withoutSurface(figure.render(format)), expected);
+            const std::string expected = withoutSurface(figure.render(format));
+            {
+                const test::ForeignStreams foreign;
+                EXPECT_EQ(withoutSurface(figure.render(format)), expected);
+            }
+            const test::ForeignLibrary foreign;
+            if (foreign.isThere())
+            {
+                EXPECT_EQ(withoutSurface(figure.render(format)), expected);
+            }
         }
     }
-}
+}  // namespace ompl_mfa::cli

@@ -56,7 +56,7 @@ namespace
     int allocations = 0;
 }
 
-void *operator new(std::size_t size)
+[[gnu::noinline]] void *operator new(std::size_t size)
 {
     ++allocations;
     if (void *memory = std::malloc(size))
@@ -64,12 +64,12 @@ void *operator new(std::size_t size)
     throw std::bad_alloc();
 }
 
-void operator delete(void *memory) noexcept
+[[gnu::noinline]] void operator delete(void *memory) noexcept
 {
     std::free(memory);
 }
 
-void operator delete(void *memory, std::size_t /*size*/) noexcept
+[[gnu::noinline]] void operator delete(void *memory, std::size_t /*size*/) noexcept
 {
     std::free(memory);
 }
@@ -87,7 +87,7 @@ namespace
     };
 }  // namespace
 
-TEST(FireflyOptimizerAllocation, aGenerationAllocatesNothing)
+TEST(FireflyOptimizerAllocation, AGenerationAllocatesNothing)
 {
     for (const auto variant : {ompl_mfa::FireflyOptimizer::Variant::FA, ompl_mfa::FireflyOptimizer::Variant::MFA})
     {
@@ -112,7 +112,7 @@ TEST(FireflyOptimizerAllocation, aGenerationAllocatesNothing)
     }
 }
 
-TEST(FireflyOptimizerAllocation, theCheckSeesAllocations)
+TEST(FireflyOptimizerAllocation, TheCheckSeesAllocations)
 {
     Eigen::internal::set_is_malloc_allowed(false);
     Eigen::VectorXd vector;

@@ -63,7 +63,7 @@ namespace ompl_mfa
         INSTANTIATE_TEST_SUITE_P(Both, FireflyFormulasVariants, ::testing::Values(Variant::FA, Variant::MFA),
                                  test::VariantName());
 
-        TEST_P(FireflyFormulasVariants, followsTheFormulasOverAnEpoch)
+        TEST_P(FireflyFormulasVariants, FollowsTheFormulasOverAnEpoch)
         {
             const FireflyOracle::Point lower{-4.0, 0.5, -1.0};
             const FireflyOracle::Point upper{6.0, 2.5, 30.0};
@@ -92,7 +92,7 @@ namespace ompl_mfa
             }
         }
 
-        TEST(FireflyFormulas, movesTowardTheBrighterByEquation4And5)
+        TEST(FireflyFormulas, MovesTowardTheBrighterByEquation4And5)
         {
             // Two fireflies without random step: the dimmer ends at x + beta0 exp(-gamma r^2) (y - x), r in tenths of
             // ranges.
@@ -115,7 +115,7 @@ namespace ompl_mfa
             EXPECT_EQ(optimizer.evaluations(), 3U);
         }
 
-        TEST(FireflyFormulas, keepsAPartOfTheAttractionAtAnyDistance)
+        TEST(FireflyFormulas, KeepsAPartOfTheAttractionAtAnyDistance)
         {
             auto settings = small(Variant::FA, 2);
             settings.alpha = 0.0;
@@ -131,7 +131,7 @@ namespace ompl_mfa
             EXPECT_NEAR(optimizer.population()(2, 1), 22.0, 1e-12);
         }
 
-        TEST(FireflyFormulas, randomStepIsUniformAndScaledByEachRange)
+        TEST(FireflyFormulas, RandomStepIsUniformAndScaledByEachRange)
         {
             // Without attraction a firefly with one brighter neighbour moves by alpha eps, eps in [-1/2, 1/2] of each
             // range.
@@ -161,7 +161,7 @@ namespace ompl_mfa
                 EXPECT_NEAR(square, 1.0 / 12.0, 0.004);
         }
 
-        TEST(FireflyFormulas, equallyBrightFirefliesMoveAtRandomExceptTheFirst)
+        TEST(FireflyFormulas, EquallyBrightFirefliesMoveAtRandomExceptTheFirst)
         {
             auto optimizer = makeOptimizer(small(Variant::FA));
             Recorder flat([](const std::vector<double> &) { return 1.0; });
@@ -178,7 +178,7 @@ namespace ompl_mfa
             }
         }
 
-        TEST(FireflyFormulas, trialVectorsObeyEquations6To12)
+        TEST(FireflyFormulas, TrialVectorsObeyEquations6To12)
         {
             // The population is recovered from the evaluations; no firefly moves, since none is brighter than another.
             auto settings = small(Variant::MFA, 8);
@@ -241,7 +241,7 @@ namespace ompl_mfa
                 EXPECT_EQ(flat.hadRival[k], k >= 7) << "only trial vectors have a rival";
         }
 
-        TEST(FireflyFormulas, drawsFourDistinctFireflies)
+        TEST(FireflyFormulas, DrawsFourDistinctFireflies)
         {
             // The fireflies are the unit vectors, so that the components of a trial are the weights of the fireflies.
             // With N of them the best is e_0 and the worst e_(N-1), and eq. (11) makes of F_n1 + l1 (F_n2 - F_n3) +
@@ -284,7 +284,7 @@ namespace ompl_mfa
                 EXPECT_NEAR(timesFirst[i], 0.1 * expected, 0.05 * expected) << "F_" << i;
         }
 
-        TEST(FireflyFormulas, schedulesEndWhereEquations13And14Say)
+        TEST(FireflyFormulas, SchedulesEndWhereEquations13And14Say)
         {
             auto optimizer = makeOptimizer(small(Variant::MFA, 5, 10));
             Recorder objective;
@@ -307,7 +307,7 @@ namespace ompl_mfa
             EXPECT_DOUBLE_EQ(optimizer.beta0(), 1.0);
         }
 
-        TEST(FireflyFormulas, otherSchedulesEndWhereTheySay)
+        TEST(FireflyFormulas, OtherSchedulesEndWhereTheySay)
         {
             using Alpha = FireflyOptimizer::AlphaSchedule;
             const std::pair<Alpha, double> ends[] = {
@@ -335,7 +335,7 @@ namespace ompl_mfa
             EXPECT_EQ(optimizer.beta0(), 1.0);
         }
 
-        TEST(FireflyFormulas, attractionNeverBecomesRepulsion)
+        TEST(FireflyFormulas, AttractionNeverBecomesRepulsion)
         {
             auto settings = small(Variant::MFA, 5, 10);
             settings.eta = 0.35;

@@ -70,7 +70,7 @@ namespace ompl_mfa
             return "";
         }
 
-        TEST(FireflyInputs, ranksFeasibleBeforeLessViolated)
+        TEST(FireflyInputs, RanksFeasibleBeforeLessViolated)
         {
             class Violated : public ObjectiveFunction
             {
@@ -88,7 +88,7 @@ namespace ompl_mfa
             EXPECT_LE(optimizer.best()[0], 1.0);
         }
 
-        TEST(FireflyInputs, ordersAsTheObjectiveSays)
+        TEST(FireflyInputs, OrdersAsTheObjectiveSays)
         {
             class Greatest : public ObjectiveFunction
             {
@@ -108,7 +108,7 @@ namespace ompl_mfa
             EXPECT_LT(optimizer.best().norm(), 0.05);
         }
 
-        TEST(FireflyInputs, takesNanAsInfinitelyDim)
+        TEST(FireflyInputs, TakesNanAsInfinitelyDim)
         {
             Recorder objective([](const std::vector<double> &x) { return x[0] > 0.0 ? std::nan("") : x[0] * x[0]; });
             auto optimizer = makeOptimizer(small(Variant::MFA, 20, 30));
@@ -118,7 +118,7 @@ namespace ompl_mfa
             EXPECT_LT(optimizer.bestBrightness().cost, 1e-2);
         }
 
-        TEST(FireflyInputs, injectedPointReplacesTheDimmest)
+        TEST(FireflyInputs, InjectedPointReplacesTheDimmest)
         {
             auto optimizer = makeOptimizer(small(Variant::MFA));
             Recorder objective;
@@ -157,7 +157,7 @@ namespace ompl_mfa
             double aim{-4.0};
         };
 
-        TEST(FireflyInputs, anOrderThatChangesIsThatOfTheWholePopulation)
+        TEST(FireflyInputs, AnOrderThatChangesIsThatOfTheWholePopulation)
         {
             for (const std::uint64_t evaluations : {0U, 5U, 12U, 15U, 30U})
             {
@@ -185,7 +185,7 @@ namespace ompl_mfa
             }
         }
 
-        TEST(FireflyInputs, fireflyMoveTowardTheBrighterOfTheNewOrder)
+        TEST(FireflyInputs, FireflyMoveTowardTheBrighterOfTheNewOrder)
         {
             auto settings = small(Variant::FA, 2);
             settings.alpha = 0.0;
@@ -203,7 +203,7 @@ namespace ompl_mfa
             EXPECT_EQ(optimizer.population()(0, 0), 5.0) << "attracted all the way by the one that is brighter now";
         }
 
-        TEST(FireflyInputs, injectionInTheMiddleOfAGenerationSurvivesIt)
+        TEST(FireflyInputs, InjectionInTheMiddleOfAGenerationSurvivesIt)
         {
             auto optimizer = makeOptimizer(small(Variant::FA));
             Recorder objective;
@@ -215,7 +215,7 @@ namespace ompl_mfa
             EXPECT_TRUE(optimizer.population().col(optimizer.brightestIndex()) == Eigen::Vector3d(1.0, 1.0, 1.0));
         }
 
-        TEST(FireflyInputs, injectionsAtTheWrongTimeAreLogicErrors)
+        TEST(FireflyInputs, InjectionsAtTheWrongTimeAreLogicErrors)
         {
             auto optimizer = makeOptimizer(small(Variant::FA, 2));
             Recorder objective;
@@ -228,7 +228,7 @@ namespace ompl_mfa
             EXPECT_THROW(optimizer.inject(x), std::logic_error);
         }
 
-        TEST(FireflyInputs, injectedSeedsAreEvaluatedFirst)
+        TEST(FireflyInputs, InjectedSeedsAreEvaluatedFirst)
         {
             auto optimizer = makeOptimizer(small(Variant::MFA));
             optimizer.inject(Eigen::Vector3d(1.0, 2.0, 3.0));
@@ -237,7 +237,7 @@ namespace ompl_mfa
             EXPECT_TRUE(objective.points.front() == Eigen::Vector3d(1.0, 2.0, 3.0));
         }
 
-        TEST(FireflyInputs, refusesBadSettingsByNameValueAndRange)
+        TEST(FireflyInputs, RefusesBadSettingsByNameValueAndRange)
         {
             EXPECT_EQ(refusal({}), "");
             const double nan = std::nan("");
@@ -271,7 +271,7 @@ namespace ompl_mfa
             EXPECT_NE(refusal(small(Variant::FA, 10, 0)).find("generations = 0"), std::string::npos);
         }
 
-        TEST(FireflyInputs, refusesBadBoxes)
+        TEST(FireflyInputs, RefusesBadBoxes)
         {
             const auto make = [](const Eigen::VectorXd &lower, const Eigen::VectorXd &upper)
             { FireflyOptimizer(FireflyOptimizer::Settings(), lower, upper, 1); };

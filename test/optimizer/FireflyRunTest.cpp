@@ -73,7 +73,7 @@ namespace ompl_mfa
         INSTANTIATE_TEST_SUITE_P(Both, FireflyRunVariants, ::testing::Values(Variant::FA, Variant::MFA),
                                  test::VariantName());
 
-        TEST(FireflyRun, epochEndKeepsTheBest)
+        TEST(FireflyRun, EpochEndKeepsTheBest)
         {
             auto optimizer = makeOptimizer(small(Variant::MFA, 10, 5));
             Recorder objective;
@@ -86,7 +86,7 @@ namespace ompl_mfa
             EXPECT_LE(optimizer.brightness(optimizer.brightestIndex()).cost, brightestCost);
         }
 
-        TEST_P(FireflyRunVariants, isDeterministicInItsSeed)
+        TEST_P(FireflyRunVariants, IsDeterministicInItsSeed)
         {
             auto a = makeOptimizer(small(GetParam()), 42);
             auto b = makeOptimizer(small(GetParam()), 42);
@@ -102,7 +102,7 @@ namespace ompl_mfa
             EXPECT_FALSE(a.population() == c.population());
         }
 
-        TEST_P(FireflyRunVariants, resumesAtTheVeryEvaluation)
+        TEST_P(FireflyRunVariants, ResumesAtTheVeryEvaluation)
         {
             auto whole = makeOptimizer(small(GetParam()), 9);
             auto interrupted = makeOptimizer(small(GetParam()), 9);
@@ -126,7 +126,7 @@ namespace ompl_mfa
                 EXPECT_TRUE(objective.points[k] == same.points[k]);
         }
 
-        TEST(FireflyRun, asksStopBeforeEveryEvaluation)
+        TEST(FireflyRun, AsksStopBeforeEveryEvaluation)
         {
             auto optimizer = makeOptimizer(small(Variant::MFA));
             Recorder objective;
@@ -152,7 +152,7 @@ namespace ompl_mfa
             bool stops_{false};
         };
 
-        TEST_P(FireflyRunVariants, interruptedAtEveryQuestionARunIsTheSame)
+        TEST_P(FireflyRunVariants, InterruptedAtEveryQuestionARunIsTheSame)
         {
             // large enough to be interrupted while it places, moves and sorts as well
             const auto make = []
@@ -209,7 +209,7 @@ namespace ompl_mfa
             return questions;
         }
 
-        TEST(FireflyRun, asksStopWhileItPlacesMovesAndSortsALargePopulation)
+        TEST(FireflyRun, AsksStopWhileItPlacesMovesAndSortsALargePopulation)
         {
             constexpr unsigned int SIZE = 4000;
             constexpr unsigned int DIMENSION = 20;
@@ -226,7 +226,7 @@ namespace ompl_mfa
             EXPECT_GE(moves.afterTheLast, SIZE * 11 / BETWEEN);
         }
 
-        TEST(FireflyRun, asksStopInTheMovesOfOneFirefly)
+        TEST(FireflyRun, AsksStopInTheMovesOfOneFirefly)
         {
             // the last of two fireflies' chains of moves are 149 and 148 moves long, of 3000 coordinates each
             FireflyOptimizer optimizer(small(Variant::FA, 150), constant(3000, -3.0), constant(3000, 5.0), 2);
@@ -234,7 +234,7 @@ namespace ompl_mfa
             EXPECT_GE(questionsOfAStep(optimizer).beforeTheFirst, 150U * 149U / 2U * 3000U / 8192U);
         }
 
-        TEST(FireflyRun, asksStopWhileItMakesTrialVectorsThatAreNotEvaluated)
+        TEST(FireflyRun, AsksStopWhileItMakesTrialVectorsThatAreNotEvaluated)
         {
             auto settings = small(Variant::MFA, 2000);
             settings.trialVectors = {{false, false, false, false, false}};
@@ -244,7 +244,7 @@ namespace ompl_mfa
             EXPECT_GE(questionsOfAStep(optimizer).afterTheLast, 2000U * 5U * 30U / 8192U);
         }
 
-        TEST(FireflyRun, stoppedBeforeTheFirstEvaluationItHasNothing)
+        TEST(FireflyRun, StoppedBeforeTheFirstEvaluationItHasNothing)
         {
             auto optimizer = makeOptimizer(small(Variant::MFA));
             Recorder objective;
@@ -254,7 +254,7 @@ namespace ompl_mfa
             EXPECT_EQ(optimizer.best().size(), 3);
         }
 
-        TEST_P(FireflyRunVariants, zeroGenerationsAreTheInitialPopulation)
+        TEST_P(FireflyRunVariants, ZeroGenerationsAreTheInitialPopulation)
         {
             auto optimizer = makeOptimizer(small(GetParam()));
             Recorder objective;
@@ -275,7 +275,7 @@ namespace ompl_mfa
             EXPECT_EQ(optimizer.brightness(optimizer.brightestIndex()).cost, lowest);
         }
 
-        TEST(FireflyRun, initialPopulationFillsTheBoxUniformly)
+        TEST(FireflyRun, InitialPopulationFillsTheBoxUniformly)
         {
             FireflyOptimizer optimizer(small(Variant::FA, 20000), Eigen::Vector2d(-3.0, 100.0),
                                        Eigen::Vector2d(1.0, 100.5), 1);
@@ -293,7 +293,7 @@ namespace ompl_mfa
             }
         }
 
-        TEST_P(FireflyRunVariants, neverLeavesTheBox)
+        TEST_P(FireflyRunVariants, NeverLeavesTheBox)
         {
             // The optimum lies outside: every move and trial pushes against the bounds.
             auto settings = small(GetParam());
@@ -311,7 +311,7 @@ namespace ompl_mfa
             EXPECT_TRUE(optimizer.best() == Eigen::Vector3d(-4.0, 0.5, 30.0)) << "the corner is reached exactly";
         }
 
-        TEST_P(FireflyRunVariants, bestSoFarIsMonotoneAndTheBestOfAll)
+        TEST_P(FireflyRunVariants, BestSoFarIsMonotoneAndTheBestOfAll)
         {
             auto settings = small(GetParam());
             settings.alpha = 1.0;
@@ -335,7 +335,7 @@ namespace ompl_mfa
             }
         }
 
-        TEST(FireflyRun, spendsAtMostOneAndSixEvaluationsAFirefly)
+        TEST(FireflyRun, SpendsAtMostOneAndSixEvaluationsAFirefly)
         {
             for (const auto variant : {Variant::FA, Variant::MFA})
             {
@@ -355,7 +355,7 @@ namespace ompl_mfa
             }
         }
 
-        TEST(FireflyRun, leavesOutTheTrialVectorsThatAreSwitchedOff)
+        TEST(FireflyRun, LeavesOutTheTrialVectorsThatAreSwitchedOff)
         {
             auto settings = small(Variant::MFA);
             settings.trialVectors = {{false, false, false, false, false}};
@@ -368,7 +368,7 @@ namespace ompl_mfa
             EXPECT_EQ(optimizer.evaluations(), 12U + 4U * 11U);
         }
 
-        TEST(FireflyRun, aCoordinateWithoutRangeStaysPut)
+        TEST(FireflyRun, ACoordinateWithoutRangeStaysPut)
         {
             for (const auto variant : {Variant::FA, Variant::MFA})
             {
@@ -381,7 +381,7 @@ namespace ompl_mfa
             }
         }
 
-        TEST(FireflyRun, findsTheOptimumOfEquation19)
+        TEST(FireflyRun, FindsTheOptimumOfEquation19)
         {
             // -f, eq. (19), over [-5, 5]^2 with the paper's settings.
             Recorder objective(

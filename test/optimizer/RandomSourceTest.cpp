@@ -43,60 +43,62 @@
 
 using ompl_mfa::deriveSeed;
 using ompl_mfa::mixBits;
-using ompl_mfa::RandomSource;
 
-TEST(RandomSource, mixesBitsAsSplitMix64Does)
+namespace ompl_mfa::optimizer
 {
-    // the first two outputs of SplitMix64 for the seed 1234567
-    EXPECT_EQ(mixBits(1234567 + 0x9e3779b97f4a7c15ULL), 6457827717110365317ULL);
-    EXPECT_EQ(mixBits(1234567 + 2 * 0x9e3779b97f4a7c15ULL), 3203168211198807973ULL);
-}
-
-TEST(RandomSource, derivesADifferentSeedForEveryStreamOfNeighbouringRuns)
-{
-    std::set<std::uint64_t> seeds;
-    std::set<std::uint32_t> lowHalves;
-    for (std::uint64_t run = 0; run < 20; ++run)
+    TEST(RandomSource, MixesBitsAsSplitMix64Does)
     {
-        for (std::uint64_t stream = 0; stream < 20; ++stream)
+        // the first two outputs of SplitMix64 for the seed 1234567
+        EXPECT_EQ(mixBits(1234567 + 0x9e3779b97f4a7c15ULL), 6457827717110365317ULL);
+        EXPECT_EQ(mixBits(1234567 + 2 * 0x9e3779b97f4a7c15ULL), 3203168211198807973ULL);
+    }
+
+    TEST(RandomSource, DerivesADifferentSeedForEveryStreamOfNeighbouringRuns)
+    {
+        std::set<std::uint64_t> seeds;
+        std::set<std::uint32_t> lowHalves;
+        for (std::uint64_t run = 0; run < 20; ++run)
         {
-            for (std::uint64_t index = 0; index < 20; ++index)
+            for (std::uint64_t stream = 0; stream < 20; ++stream)
             {
-                seeds.insert(deriveSeed(run, stream, index));
-                lowHalves.insert(static_cast<std::uint32_t>(deriveSeed(run, stream, index)));
+                for (std::uint64_t index = 0; index < 20; ++index)
+                {
+                    seeds.insert(deriveSeed(run, stream, index));
+                    lowHalves.insert(static_cast<std::uint32_t>(deriveSeed(run, stream, index)));
+                }
             }
         }
+        EXPECT_EQ(seeds.size(), 8000U);
+        // of 8000 random numbers of 32 bits 0.007 pairs are equal in the mean
+        EXPECT_GE(lowHalves.size(), 7999U);
     }
-    EXPECT_EQ(seeds.size(), 8000U);
-    // of 8000 random numbers of 32 bits 0.007 pairs are equal in the mean
-    EXPECT_GE(lowHalves.size(), 7999U);
-}
 
-TEST(RandomSource, isTheSameOnEveryPlatform)
-{
-    // The C++ standard fixes the 10000th output of a default-seeded mt19937_64 at 9981545732273789042.
-    RandomSource random(5489U);
-    for (int i = 1; i < 10000; ++i)
-        random.uniform();
-    EXPECT_EQ(random.uniform(), static_cast<double>(9981545732273789042ULL >> 11U) / 9007199254740992.0);
-}
-
-TEST(RandomSource, staysWithinItsIntervals)
-{
-    RandomSource random(1);
-    std::vector<int> counts(7, 0);
-    double sum = 0.0;
-    for (int i = 0; i < 70000; ++i)
+    TEST(RandomSource, IsTheSameOnEveryPlatform)
     {
-        const double value = random.uniform();
-        ASSERT_GE(value, 0.0);
-        ASSERT_LT(value, 1.0);
-        sum += value;
-        const unsigned int index = random.index(7);
-        ASSERT_LT(index, 7U);
-        ++counts[index];
+        // The C++ standard fixes the 10000th output of a default-seeded mt19937_64 at 9981545732273789042.
+        RandomSource random(5489U);
+        for (int i = 1; i < 10000; ++i)
+            random.uniform();
+        EXPECT_EQ(random.uniform(), static_cast<double>(9981545732273789042ULL >> 11U) / 9007199254740992.0);
     }
-    EXPECT_NEAR(sum / 70000, 0.5, 0.01);
-    for (const int count : counts)
-        EXPECT_NEAR(count, 10000, 500);
-}
+
+    TEST(RandomSource, StaysWithinItsIntervals)
+    {
+        RandomSource random(1);
+        std::vector<int> counts(7, 0);
+        double sum = 0.0;
+        for (int i = 0; i < 70000; ++i)
+        {
+            const double value = random.uniform();
+            ASSERT_GE(value, 0.0);
+            ASSERT_LT(value, 1.0);
+            sum += value;
+            const unsigned int index = random.index(7);
+            ASSERT_LT(index, 7U);
+            ++counts[index];
+        }
+        EXPECT_NEAR(sum / 70000, 0.5, 0.01);
+        for (const int count : counts)
+            EXPECT_NEAR(count, 10000, 500);
+    }
+}  // namespace ompl_mfa::optimizer

@@ -63,7 +63,7 @@ namespace
     }
 }  // namespace
 
-TEST(PagmoFirefly, improvesAPopulation)
+TEST(PagmoFirefly, ImprovesAPopulation)
 {
     for (const char *variant : {"fa", "mfa"})
     {
@@ -77,13 +77,13 @@ TEST(PagmoFirefly, improvesAPopulation)
     }
 }
 
-TEST(PagmoFirefly, evaluatesNoMemberTwice)
+TEST(PagmoFirefly, EvaluatesNoMemberTwice)
 {
     const auto after = pagmo::algorithm(withSeed(1, "fa", 10)).evolve(ackley());
     EXPECT_EQ(after.get_problem().get_fevals(), 30U + 10U * 29U);
 }
 
-TEST(PagmoFirefly, keepsTheBest)
+TEST(PagmoFirefly, KeepsTheBest)
 {
     auto population = ackley();
     const pagmo::algorithm algorithm(withSeed(3, "fa", 3));
@@ -96,7 +96,7 @@ TEST(PagmoFirefly, keepsTheBest)
     }
 }
 
-TEST(PagmoFirefly, isDeterministicInItsSeed)
+TEST(PagmoFirefly, IsDeterministicInItsSeed)
 {
     pagmo::algorithm a(withSeed(7));
     pagmo::algorithm b(withSeed(7));
@@ -109,7 +109,7 @@ TEST(PagmoFirefly, isDeterministicInItsSeed)
     EXPECT_NE(first.get_x(), a.evolve(ackley()).get_x());
 }
 
-TEST(PagmoFirefly, zeroGenerationsChangeNothing)
+TEST(PagmoFirefly, ZeroGenerationsChangeNothing)
 {
     const auto before = ackley();
     const auto after = pagmo::algorithm(withSeed(1, "mfa", 0)).evolve(before);
@@ -117,7 +117,7 @@ TEST(PagmoFirefly, zeroGenerationsChangeNothing)
     EXPECT_EQ(before.get_problem().get_fevals(), after.get_problem().get_fevals());
 }
 
-TEST(PagmoFirefly, refusesUnsuitableProblems)
+TEST(PagmoFirefly, RefusesUnsuitableProblems)
 {
     const pagmo::algorithm algorithm(withSeed(1));
     const auto evolve = [&](const pagmo::problem &problem, unsigned int size)
@@ -129,7 +129,7 @@ TEST(PagmoFirefly, refusesUnsuitableProblems)
     EXPECT_NO_THROW(evolve(pagmo::problem(pagmo::ackley(2)), 4));
 }
 
-TEST(PagmoFirefly, refusesBadParameters)
+TEST(PagmoFirefly, RefusesBadParameters)
 {
     EXPECT_THROW(PagmoFirefly(10, -1.0), std::invalid_argument);
     EXPECT_THROW(PagmoFirefly(10, 0.5, 2.0), std::invalid_argument);
@@ -137,7 +137,7 @@ TEST(PagmoFirefly, refusesBadParameters)
     EXPECT_THROW(withSeed(1, "pso"), std::invalid_argument);
 }
 
-TEST(PagmoFirefly, surviveSerialisationAndCopying)
+TEST(PagmoFirefly, SurviveSerialisationAndCopying)
 {
     const pagmo::algorithm original(withSeed(11));
     std::stringstream stream;
@@ -159,7 +159,7 @@ TEST(PagmoFirefly, surviveSerialisationAndCopying)
     EXPECT_EQ(restored.get_extra_info(), original.get_extra_info());
 }
 
-TEST(PagmoFirefly, worksInAnArchipelago)
+TEST(PagmoFirefly, WorksInAnArchipelago)
 {
     pagmo::archipelago islands(4, pagmo::algorithm(withSeed(2)), pagmo::problem(pagmo::rosenbrock(4)), 20, 3U);
     islands.evolve(5);
@@ -168,7 +168,7 @@ TEST(PagmoFirefly, worksInAnArchipelago)
         EXPECT_LT(champion[0], 10.0);
 }
 
-TEST(PagmoFirefly, tellsWhatItIs)
+TEST(PagmoFirefly, TellsWhatItIs)
 {
     const pagmo::algorithm algorithm(withSeed(2));
     EXPECT_NE(algorithm.get_name().find("Firefly"), std::string::npos);

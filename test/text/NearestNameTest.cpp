@@ -40,42 +40,42 @@
 
 #include "ompl_mfa/InputError.h"
 
-using ompl_mfa::text::describeUnknown;
-using ompl_mfa::text::requireKnown;
-
-TEST(NearestName, IsTheLeastEditedOne)
+namespace ompl_mfa::text
 {
-    const std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm", "prmstar"};
-    EXPECT_EQ(ompl_mfa::text::nearestName("rrtconect", known), "rrtconnect");
-    EXPECT_EQ(ompl_mfa::text::nearestName("prm*", known), "prm");
-    EXPECT_EQ(ompl_mfa::text::nearestName("rttstar", known), "rrtstar");
-    EXPECT_EQ(ompl_mfa::text::nearestName("rrt", known), "rrtstar");
-    EXPECT_EQ(ompl_mfa::text::nearestName("", known), "");
-    EXPECT_EQ(ompl_mfa::text::nearestName("zzzzzzzzzzzzzzzz", known), "");
-}
+    TEST(NearestName, IsTheLeastEditedOne)
+    {
+        const std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm", "prmstar"};
+        EXPECT_EQ(text::nearestName("rrtconect", known), "rrtconnect");
+        EXPECT_EQ(text::nearestName("prm*", known), "prm");
+        EXPECT_EQ(text::nearestName("rttstar", known), "rrtstar");
+        EXPECT_EQ(text::nearestName("rrt", known), "rrtstar");
+        EXPECT_EQ(text::nearestName("", known), "");
+        EXPECT_EQ(text::nearestName("zzzzzzzzzzzzzzzz", known), "");
+    }
 
-TEST(NearestName, GuessesOnlyWhatIsClose)
-{
-    EXPECT_EQ(describeUnknown("planner", "rrtstr", {"bitstar", "rrtstar"}),
-              "unknown planner 'rrtstr'; did you mean 'rrtstar'? accepted: bitstar, rrtstar");
-    EXPECT_EQ(describeUnknown("planner", "xyz", {"bitstar", "rrtstar"}),
-              "unknown planner 'xyz'; accepted: bitstar, rrtstar");
-    EXPECT_EQ(describeUnknown("planner", "", {"a"}), "unknown planner ''; did you mean 'a'? accepted: a");
-}
+    TEST(NearestName, GuessesOnlyWhatIsClose)
+    {
+        EXPECT_EQ(describeUnknown("planner", "rrtstr", {"bitstar", "rrtstar"}),
+                  "unknown planner 'rrtstr'; did you mean 'rrtstar'? accepted: bitstar, rrtstar");
+        EXPECT_EQ(describeUnknown("planner", "xyz", {"bitstar", "rrtstar"}),
+                  "unknown planner 'xyz'; accepted: bitstar, rrtstar");
+        EXPECT_EQ(describeUnknown("planner", "", {"a"}), "unknown planner ''; did you mean 'a'? accepted: a");
+    }
 
-TEST(NearestName, AllAreAcceptedWhereTheyAreFewOrNoneIsNear)
-{
-    std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm"};
-    EXPECT_EQ(ompl_mfa::text::suggestion("prn", known), "; did you mean 'prm'? accepted: rrtconnect, rrtstar, prm");
-    while (known.size() <= 10)
-        known.push_back("a" + std::to_string(known.size()));
-    EXPECT_EQ(ompl_mfa::text::suggestion("prn", known), "; did you mean 'prm'?");
-    EXPECT_EQ(ompl_mfa::text::suggestion("zzzzzz", known),
-              "; accepted: rrtconnect, rrtstar, prm, a3, a4, a5, a6, a7, a8, a9, a10");
-}
+    TEST(NearestName, AllAreAcceptedWhereTheyAreFewOrNoneIsNear)
+    {
+        std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm"};
+        EXPECT_EQ(text::suggestion("prn", known), "; did you mean 'prm'? accepted: rrtconnect, rrtstar, prm");
+        while (known.size() <= 10)
+            known.push_back("a" + std::to_string(known.size()));
+        EXPECT_EQ(text::suggestion("prn", known), "; did you mean 'prm'?");
+        EXPECT_EQ(text::suggestion("zzzzzz", known),
+                  "; accepted: rrtconnect, rrtstar, prm, a3, a4, a5, a6, a7, a8, a9, a10");
+    }
 
-TEST(NearestName, ThrowsOnlyForUnknownNames)
-{
-    EXPECT_NO_THROW(requireKnown("planner", "a", {"a", "b"}));
-    EXPECT_THROW(requireKnown("planner", "c", {"a", "b"}), ompl_mfa::InputError);
-}
+    TEST(NearestName, ThrowsOnlyForUnknownNames)
+    {
+        EXPECT_NO_THROW(requireKnown("planner", "a", {"a", "b"}));
+        EXPECT_THROW(requireKnown("planner", "c", {"a", "b"}), InputError);
+    }
+}  // namespace ompl_mfa::text
