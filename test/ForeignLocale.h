@@ -73,7 +73,9 @@ namespace ompl_mfa::test
         {
             const char dotless = '\xFD';
             if (letter == 'I')
+            {
                 return dotless;
+            }
             return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
         }
 
@@ -85,7 +87,9 @@ namespace ompl_mfa::test
         const char *do_tolower(char *first, const char *last) const override
         {
             for (; first != last; ++first)
+            {
                 *first = lower(*first);
+            }
             return last;
         }
     };
@@ -150,7 +154,9 @@ namespace ompl_mfa::test
                 "localedef -i de_DE -f UTF-8 '" + (folder_ / NAME).string() + "' >/dev/null 2>&1";
             // NOLINTNEXTLINE(bugprone-command-processor): the test's own command
             if (std::system(command.c_str()) != 0)
+            {
                 return false;
+            }
             setenv("LOCPATH", folder_.c_str(), 1);
             return std::setlocale(LC_ALL, NAME) != nullptr;
         }

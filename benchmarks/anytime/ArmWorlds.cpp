@@ -71,7 +71,9 @@ namespace ompl_mfa::anytime
                 const Point centre = distance * Point(std::cos(angle), std::sin(angle));
                 obstacles.push_back({centre, centre, random.uniform(0.04, 0.08)});
                 if (!armIsFree(start.data(), links, obstacles) || !armIsFree(goal.data(), links, obstacles))
+                {
                     obstacles.pop_back();
+                }
             }
             return obstacles;
         }

@@ -75,7 +75,9 @@ namespace ompl_mfa::anytime
             for (const Box &box : scene.boxes)
             {
                 for (Eigen::Index i = 0; i < scene.dimension(); ++i)
+                {
                     intervals.insert(intervals.end(), {box.lower[i], box.upper[i]});
+                }
             }
             const auto dimension = static_cast<std::size_t>(scene.dimension());
             return [intervals = std::move(intervals), dimension](const double *x)
@@ -84,9 +86,13 @@ namespace ompl_mfa::anytime
                 {
                     std::size_t i = 0;
                     while (i < dimension && intervals[first + 2 * i] < x[i] && x[i] < intervals[first + 2 * i + 1])
+                    {
                         ++i;
+                    }
                     if (i == dimension)
+                    {
                         return false;
+                    }
                 }
                 return true;
             };
@@ -105,7 +111,9 @@ namespace ompl_mfa::anytime
             exact.lower = {0.0, 0.0};
             exact.upper = {1.0, 1.0};
             for (const Box &box : scene.boxes)
+            {
                 exact.obstacles.push_back(oracle::rectangle((box.lower + box.upper) / 2.0, box.upper - box.lower));
+            }
             return oracle::shortestPath(exact, scene.start, scene.goal).length;
         }
 
@@ -170,9 +178,13 @@ namespace ompl_mfa::anytime
             const double outer = shell.inner + shell.thickness;
             Box wall{shell.centre.array() - outer, shell.centre.array() + outer};
             if (low)
+            {
                 wall.upper[axis] = shell.centre[axis] - shell.inner;
+            }
             else
+            {
                 wall.lower[axis] = shell.centre[axis] + shell.inner;
+            }
             return wall;
         }
 
@@ -183,7 +195,9 @@ namespace ompl_mfa::anytime
                 for (const bool low : {true, false})
                 {
                     if (axis != 0 || low != shell.opensLow)
+                    {
                         scene.boxes.push_back(shellWall(shell, axis, low));
+                    }
                 }
             }
             // what is left of the open wall around the hole: two slabs for each other coordinate
@@ -230,7 +244,9 @@ namespace ompl_mfa::anytime
                     box.upper[i] = centre + side / 2.0;
                 }
                 if (keepsClear(box, scene.start) && keepsClear(box, scene.goal))
+                {
                     scene.boxes.push_back(std::move(box));
+                }
             }
             return scene;
         }
@@ -273,11 +289,17 @@ namespace ompl_mfa::anytime
     {
         std::vector<World> worlds;
         for (const Eigen::Index dimension : {2, 4, 8})
+        {
             worlds.push_back(boxWorld("wall_gap", dimension, 1, true, wallGap));
+        }
         for (const Eigen::Index dimension : {2, 4})
+        {
             worlds.push_back(boxWorld("double_enclosure", dimension, 1, true, doubleEnclosure));
+        }
         for (const Eigen::Index dimension : {2, 4})
+        {
             worlds.push_back(boxWorld("dividing_walls", dimension, 1, true, dividingWalls));
+        }
         for (const std::uint64_t seed : {1, 2})
         {
             worlds.push_back(randomBoxWorld(2, seed, 40, 0.08, 0.2));

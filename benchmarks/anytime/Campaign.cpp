@@ -119,10 +119,14 @@ namespace ompl_mfa::anytime
             report.failed = !returned;
             report.text = statusOf(process);
             if (!process.lastLine().empty())
+            {
                 report.text += " (" + process.lastLine() + ")";
+            }
             if (result.at("solved"))
+            {
                 report.text += ", cost " + text::numberText(result.at("cost"), 6) +
                                (result.at("valid") ? "" : ", which fails check()");
+            }
             return report;
         }
 
@@ -157,14 +161,18 @@ namespace ompl_mfa::anytime
     campaign::RunsMade runCampaign(const CampaignRequest &request, campaign::RunOptions options)
     {
         for (const std::string &planner : request.planners)
+        {
             parsePlanner(planner);
+        }
         std::vector<campaign::Task> tasks;
         for (std::uint32_t seed = 1; seed <= request.seeds; ++seed)
         {
             for (const World &world : request.worlds)
             {
                 for (const std::string &planner : request.planners)
+                {
                     tasks.push_back(makeTask({&world, planner, seed, request.timeLimit, request.clock}));
+                }
             }
         }
         options.bindToCores = true;

@@ -67,7 +67,9 @@ namespace ompl_mfa::anytime
                 const double x = random.uniform(0.0, 1.0);
                 const oracle::Point centre(x, random.uniform(0.0, 1.0));
                 if ((centre - start()).norm() > radius + 0.02 && (centre - goal()).norm() > radius + 0.02)
+                {
                     scene.obstacles.push_back(oracle::disc(centre, radius));
+                }
             }
             return scene;
         }
@@ -82,7 +84,9 @@ namespace ompl_mfa::anytime
         {
             std::vector<double> circles;  // x, y and squared radius of each
             for (const auto &disc : makeScene(seed).obstacles)
+            {
                 circles.insert(circles.end(), {disc.vertices[0].x(), disc.vertices[0].y(), disc.radius * disc.radius});
+            }
             const auto isFree = [circles = std::move(circles)](const double *x)
             {
                 for (std::size_t i = 0; i < circles.size(); i += 3)
@@ -90,7 +94,9 @@ namespace ompl_mfa::anytime
                     const double dx = x[0] - circles[i];
                     const double dy = x[1] - circles[i + 1];
                     if (dx * dx + dy * dy < circles[i + 2])
+                    {
                         return false;
+                    }
                 }
                 return true;
             };

@@ -75,11 +75,15 @@ namespace ompl_mfa::anytime
     {
         std::vector<World> worlds;
         if (!std::filesystem::is_directory(folder))
+        {
             return worlds;
+        }
         for (const auto &entry : std::filesystem::directory_iterator(folder))
         {
             if (entry.path().extension() == ".cfg" && isRigidBody(entry.path()))
+            {
                 worlds.push_back(configWorld(entry.path(), prefix));
+            }
         }
         std::sort(worlds.begin(), worlds.end(), [](const World &a, const World &b) { return a.name < b.name; });
         return worlds;
@@ -92,7 +96,9 @@ namespace ompl_mfa::anytime
         {
             const std::filesystem::path file = folder / (std::string(name) + ".cfg");
             if (std::filesystem::is_regular_file(file))
+            {
                 worlds.push_back(configWorld(file, "omplapp_"));
+            }
         }
         return worlds;
     }

@@ -68,7 +68,9 @@ namespace ompl_mfa::anytime
             for (const auto &[name, property] : planner.getPlannerProgressProperties())
             {
                 if (name.rfind("best cost ", 0) == 0)
+                {
                     return property;
+                }
             }
 #ifdef OMPL_MFA_HAS_AORRTC
             if (const auto *aorrtc = dynamic_cast<const ompl::geometric::AORRTC *>(&planner))
@@ -107,7 +109,9 @@ namespace ompl_mfa::anytime
             { offer(cost.value()); });
         watcher_ = std::thread([this] { watch(); });
         while (!watching_)
+        {
             std::this_thread::yield();
+        }
         wallStart_ = wallTime();
         cpuStart_ = cpuTime();
         started_ = true;
@@ -123,7 +127,9 @@ namespace ompl_mfa::anytime
     {
         stopped_ = true;
         if (watcher_.joinable())
+        {
             watcher_.join();
+        }
     }
 
     void CostTrace::watch()
@@ -135,14 +141,18 @@ namespace ompl_mfa::anytime
         {
             std::this_thread::sleep_for(std::chrono::duration<double>(INTERVAL));
             if (started_)
+            {
                 look();
+            }
         }
     }
 
     bool CostTrace::expired()
     {
         if (!expired_.load(std::memory_order_relaxed) && wallTime() >= nextLook_.load(std::memory_order_relaxed))
+        {
             look();
+        }
         return expired_.load(std::memory_order_relaxed);
     }
 
@@ -150,7 +160,9 @@ namespace ompl_mfa::anytime
     {
         const std::unique_lock<std::mutex> lock(lookMutex_, std::try_to_lock);
         if (!lock.owns_lock())
+        {
             return;
+        }
         nextLook_ = wallTime() + INTERVAL;
         readBestCost();
         readClocks();
@@ -163,17 +175,23 @@ namespace ompl_mfa::anytime
         lastLook_ = cpu;
         ++looks_;
         if ((clock_ == Clock::CPU ? cpu : wallTime() - wallStart_) >= limit_)
+        {
             expired_ = true;
+        }
     }
 
     void CostTrace::readBestCost()
     {
         if (!bestCost_)
+        {
             return;
+        }
         double cost = 0.0;
         // some planners call their cost 0 before they have a path
         if (text::readNumber(bestCost_(), cost) && cost > 0.0)
+        {
             offer(cost);
+        }
     }
 
     void CostTrace::offer(double cost)
@@ -181,7 +199,9 @@ namespace ompl_mfa::anytime
         const std::lock_guard<std::mutex> lock(mutex_);
         // properties are printed with six digits after the point: the same cost may come once more, rounded
         if (!(cost < best_ * (1.0 - 1e-9)) || !std::isfinite(cost))
+        {
             return;
+        }
         best_ = cost;
         const std::uint32_t count = log_.count;
         const std::uint32_t index = std::min(count, ImprovementLog::CAPACITY - 1);

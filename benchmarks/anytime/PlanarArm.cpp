@@ -67,9 +67,13 @@ namespace ompl_mfa::anytime
         {
             const double limit = obstacle.radius * obstacle.radius;
             if (squaredDistance(obstacle.from, from, to) < limit)
+            {
                 return true;
+            }
             if (obstacle.from == obstacle.to)
+            {
                 return false;
+            }
             return squaredDistance(obstacle.to, from, to) < limit ||
                    squaredDistance(from, obstacle.from, obstacle.to) < limit ||
                    squaredDistance(to, obstacle.from, obstacle.to) < limit ||
@@ -88,7 +92,9 @@ namespace ompl_mfa::anytime
             for (const Capsule &obstacle : obstacles)
             {
                 if (collides(joint, next, obstacle))
+                {
                     return false;
+                }
             }
             joint = next;
         }

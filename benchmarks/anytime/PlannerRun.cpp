@@ -59,7 +59,9 @@ namespace ompl_mfa::anytime
         bool joinsStartAndGoal(const Problem &problem, og::PathGeometric &path)
         {
             if (path.getStateCount() == 0)
+            {
                 return false;
+            }
             const auto &space = problem.si->getStateSpace();
             const double tolerance = 1e-9 * space->getMaximumExtent();
             return space->distance(path.getState(0), problem.pdef->getStartState(0)) <= tolerance &&
@@ -75,7 +77,9 @@ namespace ompl_mfa::anytime
             {
                 const double start = cpuTime();
                 for (std::size_t k = 1; k < path.getStateCount(); ++k)
+                {
                     problem.si->checkMotion(path.getState(k - 1), path.getState(k));
+                }
                 result.pathCheck = std::min(result.pathCheck, cpuTime() - start);
             }
             result.pathChecks = (problem.checker->checks() - before) / REPETITIONS;
@@ -85,14 +89,18 @@ namespace ompl_mfa::anytime
         {
             result.path.resize(path.getStateCount());
             for (std::size_t i = 0; i < path.getStateCount(); ++i)
+            {
                 problem.si->getStateSpace()->copyToReals(result.path[i], path.getState(i));
+            }
         }
 
         void checkPath(const Problem &problem, RunResult &result)
         {
             result.solved = problem.pdef->hasExactSolution();
             if (!result.solved)
+            {
                 return;
+            }
             const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.pdef->getSolutionPath());
             result.valid = path->check() && joinsStartAndGoal(problem, *path);
             result.cost = path->cost(problem.pdef->getOptimizationObjective()).value();

@@ -51,7 +51,9 @@ namespace ompl_mfa::anytime
             std::vector<std::string> parts;
             std::istringstream in(text);
             for (std::string part; std::getline(in, part, separator);)
+            {
                 parts.push_back(part);
+            }
             return parts;
         }
 
@@ -85,17 +87,23 @@ namespace ompl_mfa::anytime
         {
             const bool isParameter = part.find('=') != std::string::npos && part.find(':') == std::string::npos;
             if (isParameter && !planners.empty() && planners.back().find(':') != std::string::npos)
+            {
                 planners.back() += "," + part;
+            }
             else if (part == "peers")
             {
                 const auto all = peers();
                 planners.insert(planners.end(), all.begin(), all.end());
             }
             else
+            {
                 planners.push_back(part);
+            }
         }
         if (planners.empty())
+        {
             throw InputError("--planners '" + text + "': expected PLANNER[:KEY=VALUE,...],...");
+        }
         return planners;
     }
 
@@ -109,12 +117,16 @@ namespace ompl_mfa::anytime
         spec.origin = origin;
         benchmark::requireKnownPlanner(spec.type, origin);
         if (colon == std::string::npos)
+        {
             return spec;
+        }
         for (const std::string &part : split(text.substr(colon + 1), ','))
         {
             const std::size_t equals = part.find('=');
             if (equals == std::string::npos || equals == 0)
+            {
                 failForm(text, part);
+            }
             spec.parameters.push_back({part.substr(0, equals), part.substr(equals + 1), origin});
         }
         return spec;

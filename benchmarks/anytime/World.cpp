@@ -80,7 +80,9 @@ namespace ompl_mfa::anytime
         {
             ob::ScopedState<> state(space);
             for (Eigen::Index i = 0; i < x.size(); ++i)
+            {
                 state[static_cast<unsigned int>(i)] = x[i];
+            }
             return state;
         }
     }  // namespace
@@ -118,7 +120,9 @@ namespace ompl_mfa::anytime
         Problem problem = countChecks(si, pdef);
         // setting up a space registers its own projections anew
         if (dimension == 2)
+        {
             registerIdentityProjection(space);
+        }
         return problem;
     }
 

@@ -85,10 +85,14 @@ namespace ompl_mfa::anytime
         for (auto &world : allWorlds())
         {
             if (std::regex_search(world.name, expression))
+            {
                 selected.push_back(std::move(world));
+            }
         }
         if (selected.empty())
+        {
             throw InputError("--worlds '" + pattern + "': no world has such a name; `ompl_mfa_anytime list` names all");
+        }
         return selected;
     }
 }  // namespace ompl_mfa::anytime

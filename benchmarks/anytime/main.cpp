@@ -75,13 +75,19 @@ namespace
     void list()
     {
         for (const auto &world : anytime::allWorlds())
+        {
             std::cout << world.name << '\n';
+        }
         std::cout << "\nplanners, as PLANNER[:KEY=VALUE,...]:";
         for (const auto &name : ompl_mfa::benchmark::plannerNames())
+        {
             std::cout << ' ' << name;
+        }
         std::cout << "\npeers:";
         for (const auto &name : anytime::peers())
+        {
             std::cout << ' ' << name;
+        }
         std::cout << '\n';
     }
 
@@ -90,7 +96,9 @@ namespace
         for (const auto &world : anytime::selectWorlds(options.worlds))
         {
             if (!world.optimum)
+            {
                 continue;
+            }
             const nlohmann::ordered_json reference{{"world", world.name},
                                                    {"cost", world.optimum()},
                                                    {"source", "exact"},
@@ -106,15 +114,23 @@ namespace
         std::vector<std::string> arguments{"/usr/bin/python3", script,     options.runs.string(), "--clock",
                                            options.clock,      "--worlds", options.worlds};
         if (!options.csv.empty())
+        {
             arguments.insert(arguments.end(), {"--csv", options.csv.string()});
+        }
         if (!options.markdown.empty())
+        {
             arguments.insert(arguments.end(), {"--markdown", options.markdown.string()});
+        }
         if (options.updateReferences)
+        {
             arguments.emplace_back("--update-references");
+        }
         std::vector<char *> pointers;
         pointers.reserve(arguments.size() + 1);
         for (std::string &argument : arguments)
+        {
             pointers.push_back(argument.data());
+        }
         pointers.push_back(nullptr);
         std::cout << std::flush;
         execv(pointers.front(), pointers.data());

@@ -80,7 +80,9 @@ namespace ompl_mfa::oracle
         double distance(const Point &a, const Point &b, const Point &c, const Point &d)
         {
             if (properlyIntersect(a, b, c, d))
+            {
                 return 0.0;
+            }
             return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
         }
 
@@ -112,8 +114,12 @@ namespace ompl_mfa::oracle
             bool everyEdge(const Predicate &predicate) const
             {
                 for (std::size_t i = 0; i < core.size(); ++i)
+                {
                     if (!predicate(core[i], core[(i + 1) % core.size()]))
+                    {
                         return false;
+                    }
+                }
                 return true;
             }
         };
@@ -132,7 +138,9 @@ namespace ompl_mfa::oracle
                 turned += std::atan2(cross(in, out), in.dot(out));
             }
             if (!convex || turned > TWO_PI + 1.0)
+            {
                 throw std::invalid_argument("obstacle: neither a disc nor a convex counter-clockwise polygon");
+            }
         }
 
         Grown grow(const Obstacle &obstacle, double robotRadius)
@@ -146,7 +154,9 @@ namespace ompl_mfa::oracle
             }
             Point middle = Point::Zero();
             for (const Point &vertex : grown.vertices)
+            {
                 middle += vertex / static_cast<double>(grown.vertices.size());
+            }
             double inner = std::numeric_limits<double>::infinity();
             grown.everyEdge(
                 [&](const Point &a, const Point &b)
@@ -155,7 +165,9 @@ namespace ompl_mfa::oracle
                     return true;
                 });
             for (Point &vertex : grown.core)
+            {
                 vertex += (middle - vertex) * (2.0 * CONTACT / inner);
+            }
             grown.reach = grown.radius + CONTACT;
             return grown;
         }
@@ -191,28 +203,50 @@ namespace ompl_mfa::oracle
               , upper_(scene.upper.array() + CONTACT)
             {
                 if (!(scene.robotRadius >= 0.0))
+                {
                     throw std::invalid_argument("robotRadius: must not be negative");
+                }
                 for (const Obstacle &obstacle : scene.obstacles)
+                {
                     obstacles_.push_back(grow(obstacle, scene.robotRadius));
+                }
                 if (!isFree(start) || !isFree(goal))
+                {
                     throw std::invalid_argument("start or goal: out of bounds or in collision");
+                }
 
                 circles_.push_back({start, 0.0});
                 circles_.push_back({goal, 0.0});
                 for (const Grown &obstacle : obstacles_)
+                {
                     for (const Point &vertex : obstacle.vertices)
+                    {
                         circles_.push_back({vertex, obstacle.radius});
+                    }
+                }
                 onCircle_.resize(circles_.size());
                 /* The first two nodes are start and goal. */
                 for (std::size_t i = 0; i < circles_.size(); ++i)
+                {
                     if (circles_[i].radius == 0.0)
+                    {
                         addNode(i, 0.0);
+                    }
+                }
                 for (std::size_t i = 0; i < circles_.size(); ++i)
+                {
                     for (std::size_t j = i + 1; j < circles_.size(); ++j)
+                    {
                         addTangents(i, j);
+                    }
+                }
                 for (std::size_t i = 0; i < circles_.size(); ++i)
+                {
                     if (circles_[i].radius > 0.0)
+                    {
                         addArcs(i);
+                    }
+                }
             }
 
             ShortestPath search() const
@@ -230,7 +264,9 @@ namespace ompl_mfa::oracle
                     const auto [reached, node] = open.top();
                     open.pop();
                     if (reached > cost[node])
+                    {
                         continue;
+                    }
                     for (const Edge &edge : nodes_[node].edges)
                     {
                         if (reached + edge.length < cost[edge.to])
@@ -242,7 +278,9 @@ namespace ompl_mfa::oracle
                     }
                 }
                 if (!std::isfinite(cost[GOAL]))
+                {
                     return {cost[GOAL], {}};
+                }
 
                 Points path{nodes_[GOAL].position};
                 for (std::size_t node = GOAL; node != START; node = parent[node].first)
@@ -276,7 +314,9 @@ namespace ompl_mfa::oracle
             std::size_t addNode(std::size_t circle, double angle)
             {
                 if (circles_[circle].radius == 0.0 && !onCircle_[circle].empty())
+                {
                     return onCircle_[circle].front();
+                }
                 nodes_.push_back({circle, wrap(angle), pointAt(circle, angle), {}});
                 onCircle_[circle].push_back(nodes_.size() - 1);
                 return nodes_.size() - 1;
@@ -298,7 +338,9 @@ namespace ompl_mfa::oracle
                 const Point p = pointAt(i, angleOnI);
                 const Point q = pointAt(j, angleOnJ);
                 if (!isFree(p, q))
+                {
                     return;
+                }
                 const std::size_t a = addNode(i, angleOnI);
                 const std::size_t b = addNode(j, angleOnJ);
                 connect(a, b, (q - p).norm(), 0.0);
@@ -331,9 +373,13 @@ namespace ompl_mfa::oracle
             void addArcs(std::size_t circle)
             {
                 if (onCircle_[circle].empty())
+                {
                     return;
+                }
                 for (const double angle : crossings(circles_[circle]))
+                {
                     addNode(circle, angle);
+                }
                 std::vector<std::size_t> ends = onCircle_[circle];
                 std::sort(ends.begin(), ends.end(),
                           [&](std::size_t a, std::size_t b) { return nodes_[a].angle < nodes_[b].angle; });
@@ -343,7 +389,9 @@ namespace ompl_mfa::oracle
                     const double from = nodes_[ends[k]].angle;
                     const double sweep = nodes_[ends[next]].angle - from + (next == 0 ? TWO_PI : 0.0);
                     if (isFree(pointAt(circle, from + 0.5 * sweep)))
+                    {
                         connect(ends[k], ends[next], circles_[circle].radius * sweep, sweep);
+                    }
                 }
             }
 
@@ -354,7 +402,9 @@ namespace ompl_mfa::oracle
                 {
                     const double cosine = (offset - normal.dot(circle.centre)) / circle.radius;
                     if (std::abs(cosine) > 1.0)
+                    {
                         return;
+                    }
                     const double direction = std::atan2(normal.y(), normal.x());
                     angles.push_back(direction + std::acos(cosine));
                     angles.push_back(direction - std::acos(cosine));
@@ -415,14 +465,18 @@ namespace ompl_mfa::oracle
     Obstacle disc(const Point &centre, double radius)
     {
         if (!(radius > 0.0))
+        {
             throw std::invalid_argument("disc: the radius must be positive");
+        }
         return {{centre}, radius};
     }
 
     Obstacle rectangle(const Point &centre, const Point &size, double angle)
     {
         if (!(size.minCoeff() > 0.0))
+        {
             throw std::invalid_argument("rectangle: both sides must be positive");
+        }
         const Point x = 0.5 * size.x() * Point(std::cos(angle), std::sin(angle));
         const Point y = 0.5 * size.y() * Point(-std::sin(angle), std::cos(angle));
         return {{centre - x - y, centre + x - y, centre + x + y, centre - x + y}, 0.0};

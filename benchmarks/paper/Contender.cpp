@@ -61,11 +61,17 @@ namespace ompl_mfa::paper
         {
             FireflyOptimizer::Settings settings;
             if (algorithm == "no_eq13")
+            {
                 settings.alphaSchedule = Alpha::Constant;
+            }
             else if (algorithm == "no_eq14")
+            {
                 settings.betaSchedule = Beta::Constant;
+            }
             else if (algorithm == "no_trials")
+            {
                 settings.trialVectors.fill(false);
+            }
             else
             {
                 settings.trialVectors.at(static_cast<std::size_t>(std::stoi(algorithm.substr(5)) - 8)) = false;
@@ -81,11 +87,17 @@ namespace ompl_mfa::paper
             FireflyOptimizer::Settings settings;
             const bool isAblation = algorithm.rfind("no_", 0) == 0;
             if (isAblation)
+            {
                 settings = ablated(algorithm);
+            }
             if (algorithm == "mfa" || (isAblation && algorithm != "no_trials"))
+            {
                 return settings;
+            }
             if (!isAblation)
+            {
                 settings.variant = Variant::FA;
+            }
             if (algorithm == "fa_yang")
             {
                 // n = 20, alpha 0.5, beta_min 0.2, gamma 1, as in Yang's reference program.
@@ -148,7 +160,9 @@ namespace ompl_mfa::paper
             return recorder.finish();
         }
         if (!isOneOf(contenders()) && !isOneOf(ablations()))
+        {
             throw std::invalid_argument("runContender: unknown algorithm '" + algorithm + "'");
+        }
         return runFireflies(fireflySettings(algorithm), recorder, lower, upper, seed);
     }
 }  // namespace ompl_mfa::paper

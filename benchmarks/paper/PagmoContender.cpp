@@ -77,7 +77,9 @@ namespace ompl_mfa::paper
             pagmo::vector_double fitness(const pagmo::vector_double &x) const
             {
                 if (recorder->isSpent())
+                {
                     throw BudgetSpent();
+                }
                 const Eigen::Map<const Eigen::VectorXd> unit(x.data(), static_cast<Eigen::Index>(x.size()));
                 const Eigen::VectorXd point = lower + range.cwiseProduct(unit);
                 const auto brightness = recorder->evaluate(point, nullptr);
@@ -95,19 +97,31 @@ namespace ompl_mfa::paper
         {
             constexpr double CONVERGED = 1e-12;
             if (name == "ga")
+            {
                 return pagmo::algorithm(pagmo::sga(GENERATIONS, 0.9, 10.0, 1.0 / dimension, 20.0, 2U, "sbx",
                                                    "polynomial", "tournament", seed));
+            }
             if (name == "pso")
+            {
                 return pagmo::algorithm(pagmo::pso(GENERATIONS, 0.7298, 2.05, 2.05, 0.5, 5U, 2U, 4U, false, seed));
+            }
             if (name == "de")
+            {
                 return pagmo::algorithm(pagmo::de(GENERATIONS, 0.8, 0.9, 2U, CONVERGED, CONVERGED, seed));
+            }
             if (name == "sade")
+            {
                 return pagmo::algorithm(pagmo::sade(GENERATIONS, 2U, 1U, CONVERGED, CONVERGED, false, seed));
+            }
             if (name == "cmaes")
+            {
                 return pagmo::algorithm(
                     pagmo::cmaes(GENERATIONS, -1, -1, -1, -1, 0.3, CONVERGED, CONVERGED, false, true, seed));
+            }
             if (name == "abc")
+            {
                 return pagmo::algorithm(pagmo::bee_colony(GENERATIONS / 2, 20U, seed));
+            }
             return pagmo::algorithm(pagmo::gwo(GENERATIONS, seed));
         }
     }  // namespace
@@ -117,7 +131,9 @@ namespace ompl_mfa::paper
         for (const char *name : {"ga", "pso", "de", "sade", "cmaes", "abc", "gwo"})
         {
             if (algorithm == name)
+            {
                 return true;
+            }
         }
         return false;
     }

@@ -56,7 +56,9 @@ namespace ompl_mfa::paper
             if (step == 0.0)
             {
                 if (std::abs(position) > half)
+                {
                     high = -INF;
+                }
                 return;
             }
             const double a = (-half - position) / step;
@@ -81,7 +83,9 @@ namespace ompl_mfa::paper
             }
             if (v.size() != 4 || ((v[1] - v[0]) - (v[2] - v[3])).norm() > 1e-9 ||
                 std::abs((v[1] - v[0]).dot(v[3] - v[0])) > 1e-9)
+            {
                 throw std::invalid_argument("PlanarCollision: an obstacle is neither a disc nor a rectangle");
+            }
             const Point halfSides(0.5 * (v[1] - v[0]).norm(), 0.5 * (v[3] - v[0]).norm());
             obstacles_.push_back(
                 {0.5 * (v[0] + v[2]), (v[1] - v[0]).normalized(), halfSides, radius, halfSides.norm() + radius});
@@ -101,7 +105,9 @@ namespace ompl_mfa::paper
         const auto unite = [&whole](double low, double high)
         {
             if (low < high)
+            {
                 whole = {std::min(whole.first, low), std::max(whole.second, high)};
+            }
         };
         const double squaredStep = d.squaredNorm();
         const auto uniteDisc = [&](const Point &centre)
@@ -110,8 +116,10 @@ namespace ompl_mfa::paper
             const double b = f.dot(d);
             const double root = b * b - squaredStep * (f.squaredNorm() - obstacle.radius * obstacle.radius);
             if (root > 0.0)
+            {
                 unite(std::max(0.0, (-b - std::sqrt(root)) / squaredStep),
                       std::min(1.0, (-b + std::sqrt(root)) / squaredStep));
+            }
         };
         const Point &half = obstacle.halfSides;
         if (half.x() == 0.0)
@@ -140,7 +148,9 @@ namespace ompl_mfa::paper
         const Point step = to - from;
         const double squared = step.squaredNorm();
         if (squared == 0.0)
+        {
             return 0.0;
+        }
         // More than this many at once on one segment do not occur in the study's scenes; the rest would count double.
         std::array<Interval, 16> crossings;
         std::size_t count = 0;
@@ -149,10 +159,14 @@ namespace ompl_mfa::paper
             const Point toCentre = obstacle.centre - from;
             const double nearest = std::clamp(toCentre.dot(step) / squared, 0.0, 1.0);
             if ((toCentre - nearest * step).squaredNorm() >= obstacle.reach * obstacle.reach)
+            {
                 continue;
+            }
             const Interval interval = crossing(obstacle, from, step);
             if (interval.first < interval.second && count < crossings.size())
+            {
                 crossings[count++] = interval;
+            }
         }
         std::sort(crossings.begin(), crossings.begin() + count);
         double covered = 0.0;
@@ -168,7 +182,9 @@ namespace ompl_mfa::paper
     bool PlanarCollision::isValid(const Point &point) const
     {
         if ((point.array() < lower_.array()).any() || (point.array() > upper_.array()).any())
+        {
             return false;
+        }
         // A short segment across the point: crossing() answers for the obstacle's interior.
         return std::all_of(obstacles_.begin(), obstacles_.end(),
                            [&point](const Grown &obstacle)
@@ -213,7 +229,9 @@ namespace ompl_mfa::paper
             previous = next;
         }
         if (rival != nullptr && rival->isFeasible() && length >= rival->cost)
+        {
             return {};
+        }
         double violation = 0.0;
         previous = start_;
         for (Eigen::Index k = 0; k <= x.size(); ++k)
@@ -221,7 +239,9 @@ namespace ompl_mfa::paper
             const Point next = k < x.size() ? pointOn(k, x[k]) : goal_;
             violation += collision_.invalidLength(previous, next);
             if (rival != nullptr && violation > rival->violation)
+            {
                 return {};
+            }
             previous = next;
         }
         return {violation, length};
@@ -231,7 +251,9 @@ namespace ompl_mfa::paper
     {
         Points points{start_};
         for (Eigen::Index k = 0; k < x.size(); ++k)
+        {
             points.push_back(pointOn(k, x[k]));
+        }
         points.push_back(goal_);
         return points;
     }
@@ -244,11 +266,15 @@ namespace ompl_mfa::paper
         {
             Points next;
             if (k == lower_.size())
+            {
                 next = {goal_};
+            }
             else
             {
                 for (unsigned int i = 0; i < resolution; ++i)
+                {
                     next.push_back(pointOn(k, lower_[k] + (upper_[k] - lower_[k]) * i / (resolution - 1.0)));
+                }
             }
             std::vector<double> nextCosts(next.size(), INF);
             for (std::size_t j = 0; j < next.size(); ++j)
@@ -257,7 +283,9 @@ namespace ompl_mfa::paper
                 {
                     const double cost = costs[i] + (next[j] - layer[i]).norm();
                     if (cost < nextCosts[j] && collision_.invalidLength(layer[i], next[j]) == 0.0)
+                    {
                         nextCosts[j] = cost;
+                    }
                 }
             }
             layer = std::move(next);

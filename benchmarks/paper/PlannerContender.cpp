@@ -80,7 +80,9 @@ namespace ompl_mfa::paper
                              std::pair<ob::State *, double> &lastValid) const override
             {
                 if (checkMotion(from, to))
+                {
                     return true;
+                }
                 double valid = 0.0;
                 double invalid = 1.0;
                 while (invalid - valid > 1e-9)
@@ -91,7 +93,9 @@ namespace ompl_mfa::paper
                 }
                 lastValid.second = valid;
                 if (lastValid.first != nullptr)
+                {
                     si_->getStateSpace()->interpolate(from, to, valid, lastValid.first);
+                }
                 return false;
             }
 
@@ -148,7 +152,9 @@ namespace ompl_mfa::paper
             run.evaluations = std::min<std::uint64_t>(BUDGET, validator.checks / (slices + 1));
             const double best = planner->bestCost();
             while (run.trace.size() < 100 && run.evaluations * 100 >= BUDGET * (run.trace.size() + 1))
+            {
                 run.trace.push_back(best);
+            }
             if (run.evaluationsToTarget == 0 && best <= target)
             {
                 run.evaluationsToTarget = std::max<std::uint64_t>(1, run.evaluations);
@@ -161,7 +167,9 @@ namespace ompl_mfa::paper
         run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         run.trace.resize(100, planner->bestCost());
         if (!solved || setup.getProblemDefinition()->hasApproximateSolution())
+        {
             return result;
+        }
 
         const og::PathGeometric &path = setup.getSolutionPath();
         double invalid = 0.0;
@@ -169,7 +177,9 @@ namespace ompl_mfa::paper
         {
             result.path.push_back(toPoint(path.getState(i)));
             if (i > 0)
+            {
                 invalid += collision.invalidLength(result.path[i - 1], result.path[i]);
+            }
         }
         run.best = {invalid, path.length()};
         return result;

@@ -67,7 +67,9 @@ namespace ompl_mfa::paper
             run_.secondsToTarget = secondsSinceStart();
         }
         if (run_.trace.size() < TRACE_POINTS && run_.evaluations * TRACE_POINTS >= BUDGET * (run_.trace.size() + 1))
+        {
             run_.trace.push_back(run_.best.isFeasible() ? run_.best.cost : std::numeric_limits<double>::infinity());
+        }
         return brightness;
     }
 

@@ -66,7 +66,9 @@ namespace ompl_mfa::paper
             RandomSource random(job.run);
             Eigen::VectorXd shift = Eigen::VectorXd::Zero(job.dimension);
             for (unsigned int k = 0; job.moved && k < job.dimension; ++k)
+            {
                 shift[k] = -(0.05 + 0.1 * random.uniform()) * (function.upper() - function.lower())[k];
+            }
             return shift;
         }
 
@@ -78,14 +80,18 @@ namespace ompl_mfa::paper
                 for (const unsigned int dimension : {2U, 10U, 30U})
                 {
                     if (function == "sinc" && dimension != 2)
+                    {
                         continue;
+                    }
                     for (const auto &algorithm : paper::contenders())
                     {
                         for (unsigned int run = 1; run <= runs; ++run)
                         {
                             jobs.push_back({function, dimension, true, algorithm, run});
                             if (algorithm == "mfa" || algorithm == "fa" || algorithm == "de")
+                            {
                                 jobs.push_back({function, dimension, false, algorithm, run});
+                            }
                         }
                     }
                 }
@@ -115,14 +121,20 @@ namespace ompl_mfa::paper
                     settings.variant = variant;
                     FireflyOptimizer optimizer(settings, function.lower(), function.upper(), run);
                     for (unsigned int generation = 0; generation <= settings.generations; ++generation)
+                    {
                         optimizer.step(function, [] { return false; });
+                    }
                     const auto &x = optimizer.population();
                     double near = 0.0;
                     for (Eigen::Index i = 0; i < x.cols(); ++i)
+                    {
                         near += function.isNearOptimum(x.col(i)) ? 1.0 : 0.0;
+                    }
                     for (Eigen::Index i = 0; i < x.cols(); ++i)
+                    {
                         out << (variant == FireflyOptimizer::Variant::FA ? "fa," : "mfa,") << run << ","
                             << near / settings.populationSize << "," << x(0, i) << "," << x(1, i) << "\n";
+                    }
                 }
             }
         }
@@ -134,6 +146,7 @@ namespace ompl_mfa::paper
         std::vector<StudyRun> runs;
         runs.reserve(jobs.size());
         for (const Job &job : jobs)
+        {
             runs.push_back({{{"function", job.function},
                              {"dimension", job.dimension},
                              {"moved", job.moved},
@@ -142,11 +155,14 @@ namespace ompl_mfa::paper
                             [job] {
                                 return Json{{"error", numberToJson(errorOf(job))}};
                             }});
+        }
         const std::vector<Json> results = makeStudyRuns(options, "functions", "", runs);
         auto out = openTable(options, "functions.csv", "function,dimension,moved,algorithm,run,error");
         for (std::size_t i = 0; i < jobs.size(); ++i)
+        {
             out << jobs[i].function << "," << jobs[i].dimension << "," << (jobs[i].moved ? 1 : 0) << ","
                 << jobs[i].algorithm << "," << jobs[i].run << "," << numberFrom(results[i].at("error")) << "\n";
+        }
         writePopulations(options);
     }
 }  // namespace ompl_mfa::paper

@@ -75,7 +75,9 @@ namespace ompl_mfa::paper
             auto algorithms = paper::contenders();
             const auto &ablations = paper::ablations();
             if (isPaperScene(scene))
+            {
                 algorithms.insert(algorithms.end(), ablations.begin(), ablations.end());
+            }
             return algorithms;
         }
 
@@ -88,7 +90,9 @@ namespace ompl_mfa::paper
                 for (const auto &algorithm : planner ? std::vector<std::string>{PLANNER} : algorithmsFor(scenes[scene]))
                 {
                     for (unsigned int run = 1; run <= runs; ++run)
+                    {
                         jobs.push_back({scene, algorithm, run});
+                    }
                 }
             }
             return jobs;
@@ -127,11 +131,17 @@ namespace ompl_mfa::paper
                      << run.evaluationsToTarget << "\n";
                 times << key << run.seconds << "," << run.secondsToTarget << "\n";
                 if (!isPaperScene(scenes[jobs[i].scene]))
+                {
                     continue;
+                }
                 for (std::size_t k = 0; k < run.trace.size(); ++k)
+                {
                     traces << key << k + 1 << "," << run.trace[k] << "\n";
+                }
                 for (const auto &point : outcomes[i].path)
+                {
                     paths << key << point.x() << "," << point.y() << "\n";
+                }
             }
         }
 
@@ -140,10 +150,14 @@ namespace ompl_mfa::paper
             const Run &run = outcome.run;
             Json trace = Json::array();
             for (const double cost : run.trace)
+            {
                 trace.push_back(numberToJson(cost));
+            }
             Json path = Json::array();
             for (const auto &point : outcome.path)
+            {
                 path.push_back({point.x(), point.y()});
+            }
             return {{"cost", numberToJson(run.best.cost)},
                     {"violation", numberToJson(run.best.violation)},
                     {"evaluations", run.evaluations},
@@ -164,9 +178,13 @@ namespace ompl_mfa::paper
             run.seconds = json.at("seconds");
             run.secondsToTarget = json.at("seconds_to_target");
             for (const Json &cost : json.at("trace"))
+            {
                 run.trace.push_back(numberFrom(cost));
+            }
             for (const Json &point : json.at("path"))
+            {
                 outcome.path.emplace_back(point.at(0), point.at(1));
+            }
             return outcome;
         }
 
@@ -191,19 +209,25 @@ namespace ompl_mfa::paper
             std::vector<double> optima;
             optima.reserve(scenes.size());
             for (const auto &scene : scenes)
+            {
                 optima.push_back(oracle::shortestPath(scene.world, scene.start, scene.goal).length);
+            }
             const auto jobs = makeJobs(scenes, options, planner);
             std::vector<StudyRun> runs;
             runs.reserve(jobs.size());
             for (const Job &job : jobs)
+            {
                 runs.push_back({{{"scene", scenes[job.scene].name}, {"algorithm", job.algorithm}, {"run", job.run}},
                                 [&scene = scenes[job.scene], job, optimum = optima[job.scene]]
                                 { return outcomeToJson(runJob(job, scene, optimum)); }});
+            }
             std::vector<Outcome> outcomes;
             outcomes.reserve(jobs.size());
             for (const Json &result :
                  makeStudyRuns(options, planner ? "planner" : "paths", textOf(options.worldFile), runs))
+            {
                 outcomes.push_back(outcomeFrom(result));
+            }
             writeRuns(options, scenes, jobs, outcomes, planner ? "planner_" : "");
         }
     }  // namespace
@@ -224,11 +248,15 @@ namespace ompl_mfa::paper
             {
                 const auto &obstacle = scene.world.obstacles[k];
                 for (const auto &vertex : obstacle.vertices)
+                {
                     obstacles << scene.name << "," << k << "," << obstacle.radius << "," << vertex.x() << ","
                               << vertex.y() << "\n";
+                }
             }
             for (const auto &point : exact.path)
+            {
                 paths << scene.name << "," << point.x() << "," << point.y() << "\n";
+            }
         }
     }
 
@@ -256,6 +284,7 @@ namespace ompl_mfa::paper
             for (const auto &algorithm : algorithms)
             {
                 for (unsigned int run = 1; run <= options.sliceRuns; ++run)
+                {
                     runs.push_back({{{"slices", slices}, {"algorithm", algorithm}, {"run", run}},
                                     [&scene, slices, algorithm, optimum, run]
                                     {
@@ -266,6 +295,7 @@ namespace ompl_mfa::paper
                                         outcome.path = problem.path(outcome.run.x);
                                         return outcomeToJson(outcome);
                                     }});
+                }
             }
         }
         const std::vector<Json> results = makeStudyRuns(options, "slices", textOf(options.worldFile), runs);

@@ -63,8 +63,10 @@ namespace ompl_mfa::paper
         {
             std::string name;
             for (const auto &field : key.items())
+            {
                 name += (name.empty() ? "" : ", ") +
                         (field.value().is_string() ? field.value().get<std::string>() : field.value().dump());
+            }
             return name;
         }
 
@@ -84,9 +86,11 @@ namespace ompl_mfa::paper
                 work.report = [name](const RunProcess &process)
                 {
                     if (process.termination() != RunTermination::Returned)
+                    {
                         throw std::runtime_error(name + ": " +
                                                  describeTermination(process.termination(), process.signal()) +
                                                  (process.lastLine().empty() ? "" : ": " + process.lastLine()));
+                    }
                     return campaign::RunReport{campaign::parseJson(process.result()), "made", false};
                 };
                 return work;
@@ -95,8 +99,8 @@ namespace ompl_mfa::paper
         }
     }  // namespace
 
-    std::vector<Json> makeStudyRuns(const StudyOptions &options, const std::string &part,
-                                           const std::string &identity, const std::vector<StudyRun> &runs)
+    std::vector<Json> makeStudyRuns(const StudyOptions &options, const std::string &part, const std::string &identity,
+                                    const std::vector<StudyRun> &runs)
     {
         std::vector<campaign::Task> tasks;
         std::map<std::string, std::size_t> places;
@@ -116,8 +120,10 @@ namespace ompl_mfa::paper
         header.campaign = part + " " + campaign::digestOf({OMPL_MFA_VERSION, identity});
         const campaign::RunsMade made = campaign::makeRuns(header, tasks, runOptions);
         if (made.interruptedBy != 0)
+        {
             throw Interrupted(made.interruptedBy, std::to_string(made.missing) + " runs of '" + part +
                                                       "' are still to be made; --resume continues");
+        }
 
         std::vector<Json> results(runs.size());
         campaign::readJournal(runOptions.journal,
@@ -125,10 +131,14 @@ namespace ompl_mfa::paper
                               {
                                   Json key;
                                   for (const auto &field : runs.front().key.items())
+                                  {
                                       key[field.key()] = record.at(field.key());
+                                  }
                                   const auto place = places.find(campaign::jsonLine(key));
                                   if (place != places.end())
+                                  {
                                       results[place->second] = record;
+                                  }
                               });
         return results;
     }
@@ -137,7 +147,9 @@ namespace ompl_mfa::paper
     {
         std::ofstream out(options.outputFolder + "/" + name);
         if (!out)
+        {
             throw InputError("cannot write '" + options.outputFolder + "/" + name + "'");
+        }
         out.imbue(std::locale::classic());
         out << std::setprecision(10) << header << "\n";
         return out;
@@ -152,9 +164,13 @@ namespace ompl_mfa::paper
     {
         double number = 0.0;
         if (!value.is_string())
+        {
             return value.get<double>();
+        }
         if (!text::readNumber(value.get<std::string>(), number))
+        {
             throw std::invalid_argument("not a number: " + value.get<std::string>());
+        }
         return number;
     }
 }  // namespace ompl_mfa::paper

@@ -61,9 +61,13 @@ namespace ompl_mfa::paper
             const Point centre = object.pose.translation().head<2>();
             const Eigen::Matrix3d turn = object.pose.linear();
             if (const auto *cylinder = dynamic_cast<const fcl::Cylinderd *>(object.geometry.get()))
+            {
                 return oracle::disc(centre, cylinder->radius);
+            }
             if (const auto *box = dynamic_cast<const fcl::Boxd *>(object.geometry.get()))
+            {
                 return oracle::rectangle(centre, box->side.head<2>(), std::atan2(turn(1, 0), turn(0, 0)));
+            }
             throw InputError(file + ": obstacle '" + object.id + "' is not accepted; it must be a cylinder or a box");
         }
 
@@ -80,7 +84,9 @@ namespace ompl_mfa::paper
         {
             const Point centre(EDGE * random.uniform(), EDGE * random.uniform());
             if (round)
+            {
                 return oracle::disc(centre, 0.6 + 1.2 * random.uniform());
+            }
             const double length = 1.5 + 4.5 * random.uniform();
             const double width = 0.5 + 1.0 * random.uniform();
             return oracle::rectangle(centre, {length, width}, M_PI * random.uniform());
@@ -90,9 +96,13 @@ namespace ompl_mfa::paper
         {
             const paper::PlanarCollision collision(scene.world);
             if (!collision.isValid(scene.start) || !collision.isValid(scene.goal))
+            {
                 return false;
+            }
             if (collision.invalidLength(scene.start, scene.goal) == 0.0)
+            {
                 return false;
+            }
             return std::isfinite(oracle::shortestPath(scene.world, scene.start, scene.goal).length);
         }
     }  // namespace
@@ -102,7 +112,9 @@ namespace ompl_mfa::paper
         oracle::Scene world = emptyWorld();
         const collision::Scene scene = collision::loadPlanningScene(worldFile);
         for (const auto &object : scene.objects())
+        {
             world.obstacles.push_back(toObstacle(object, worldFile));
+        }
         const Point goal(20.0, 20.0);
         return {{"paper_1", world, {0.3, 2.2}, goal},
                 {"paper_2", world, {0.5, 13.0}, goal},
@@ -125,7 +137,9 @@ namespace ompl_mfa::paper
                          {1.0, 1.0},
                          {19.0, 19.0}};
                 for (unsigned int k = 0; k < 3 + i; ++k)
+                {
                     scene.world.obstacles.push_back(drawObstacle(random, k % 2 == 0));
+                }
             } while (!isWorthPlanning(scene));
             scenes.push_back(scene);
         }

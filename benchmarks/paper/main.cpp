@@ -79,11 +79,15 @@ namespace
             {"slices", ompl_mfa::paper::studySlices},
             {"functions", ompl_mfa::paper::studyFunctions}};
         for (const auto &part : parts)
+        {
             ompl_mfa::text::requireKnown("part", part, {"scenes", "planner", "paths", "slices", "functions"});
+        }
         for (const auto &step : steps)
         {
             if (std::find(parts.begin(), parts.end(), step.first) == parts.end())
+            {
                 continue;
+            }
             std::cerr << "study: " << step.first << std::endl;
             step.second(options);
         }

@@ -47,7 +47,9 @@ namespace ompl_mfa
         for (char &letter : text)
         {
             if (letter >= 'A' && letter <= 'Z')
+            {
                 letter = static_cast<char>(letter - 'A' + 'a');
+            }
         }
         return text;
     }
@@ -70,11 +72,17 @@ namespace ompl_mfa
                 ++i;
             }
             if (isBlank)
+            {
                 line += ' ';
+            }
             else if (isC1 || byte < 32 || byte == 127)
+            {
                 line += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+            }
             else
+            {
                 line += static_cast<char>(byte);
+            }
         }
         return line;
     }

@@ -69,7 +69,9 @@ namespace ompl_mfa::benchmark
         {
             const auto [place, inserted] = section.emplace(key, entry);
             if (!inserted)
+            {
                 failAt(entry, "the key is already set at " + place->second.origin);
+            }
         }
 
         /* Reads one file; the members are what its lines said so far. */
@@ -84,9 +86,13 @@ namespace ompl_mfa::benchmark
             BenchmarkConfig parse(std::istream &in)
             {
                 for (const auto &entry : readConfigLines(in, config_.file.string()))
+                {
                     sort(entry);
+                }
                 if (!pendingSection_.empty())
+                {
                     failAt(pendingSection_.begin()->second, "no planner follows that this setting could be for");
+                }
                 checkProblem();
                 checkCampaign();
                 namePlanners();
@@ -100,13 +106,21 @@ namespace ompl_mfa::benchmark
                 const std::string section = entry.key.substr(0, dot);
                 const std::string key = dot == std::string::npos ? "" : entry.key.substr(dot + 1);
                 if (section == "problem" && !key.empty())
+                {
                     sortProblem(key, entry);
+                }
                 else if (section == "benchmark" && !key.empty())
+                {
                     set(campaignRows(), key, entry, benchmark_, config_.benchmark);
+                }
                 else if (section == "planner" && !key.empty())
+                {
                     sortPlanner(key, entry);
+                }
                 else
+                {
                     failAt(entry, "the key belongs to no section; sections are [problem], [benchmark] and [planner]");
+                }
             }
 
             template <typename Config>
@@ -115,23 +129,35 @@ namespace ompl_mfa::benchmark
             {
                 insertOnce(section, key, entry);
                 if (!setValue(rows, key, entry, config))
+                {
                     failAt(entry, "unknown key" + text::suggestion(key, keysOf(rows)));
+                }
             }
 
             void sortProblem(const std::string &key, const ConfigEntry &entry)
             {
                 if (key == "control")
+                {
                     failAt(entry, "control-based problems are not supported; remove the key to plan geometrically");
+                }
                 std::vector<std::string> keys = keysOf(problemRows());
                 for (const auto &contextKey : keysOf(contextRows()))
+                {
                     keys.push_back(contextKey);
+                }
                 if (std::find(keys.begin(), keys.end(), key) == keys.end())
+                {
                     failAt(entry, "unknown key" + text::suggestion(key, keys));
+                }
                 if (entry.value.empty())
+                {
                     failAt(entry, "the value is missing");
+                }
                 insertOnce(problem_, key, entry);
                 if (!setValue(contextRows(), key, entry, config_.problem.context))
+                {
                     setValue(problemRows(), key, entry, config_.problem);
+                }
             }
 
             void sortPlanner(const std::string &key, const ConfigEntry &entry)
@@ -142,22 +168,32 @@ namespace ompl_mfa::benchmark
                 {
                     const std::string setting = key.substr(dot + 1);
                     if (setting == "objective")
+                    {
                         failAt(entry, "all planners share one objective; set problem.objective");
+                    }
                     if (config_.planners.empty())
+                    {
                         set(contextRows(), setting, entry, pendingSection_, pendingContext_);
+                    }
                     else
+                    {
                         set(contextRows(), setting, entry, contexts_[last_], config_.planners[last_].context);
+                    }
                     return;
                 }
                 requireKnownPlanner(type, entry.origin);
                 if (dot == std::string::npos)
                 {
                     if (!entry.value.empty())
+                    {
                         failAt(entry, "a planner instance takes no value; write '" + type + "='");
+                    }
                     addPlanner(type, entry.origin);
                 }
                 else
+                {
                     addParameter(type, {key.substr(dot + 1), entry.value, entry.origin});
+                }
             }
 
             void addPlanner(const std::string &type, const std::string &origin)
@@ -183,16 +219,22 @@ namespace ompl_mfa::benchmark
                 }
                 last_ = static_cast<std::size_t>(config_.planners.rend() - spec) - 1;
                 if (parameter.key == "name")
+                {
                     namePlanner(*spec, parameter);
+                }
                 else
+                {
                     addOnce(spec->parameters, parameter);
+                }
             }
 
             static void namePlanner(PlannerSpec &spec, const ConfigEntry &parameter)
             {
                 const std::string &name = parameter.value;
                 if (name.empty())
+                {
                     failAt(parameter, "a planner's name cannot be empty");
+                }
                 if (hasControlCharacter(name) || fileNamePart(name).size() > LONGEST_NAME)
                 {
                     failAt(parameter,
@@ -200,15 +242,21 @@ namespace ompl_mfa::benchmark
                            "'/' and '%' take three");
                 }
                 if (!spec.name.empty())
+                {
                     failAt(parameter, "this planner is already named '" + spec.name + "'");
+                }
                 spec.name = name;
             }
 
             static void addOnce(std::vector<ConfigEntry> &entries, const ConfigEntry &entry)
             {
                 for (const auto &other : entries)
+                {
                     if (other.key == entry.key)
+                    {
                         failAt(entry, "the key is already set at " + other.origin);
+                    }
+                }
                 entries.push_back(entry);
             }
 
@@ -219,8 +267,10 @@ namespace ompl_mfa::benchmark
                 for (const auto &spec : config_.planners)
                 {
                     if (!spec.name.empty() && !origins.emplace(spec.name, spec.origin).second)
+                    {
                         throw InputError(spec.origin + ": two planners are named '" + spec.name + "', here and at " +
                                          origins[spec.name] + "; every planner needs its own name");
+                    }
                 }
                 for (auto &spec : config_.planners)
                 {
@@ -229,7 +279,9 @@ namespace ompl_mfa::benchmark
                     {
                         const std::string name = number == 1 ? title : title + "-" + std::to_string(number);
                         if (origins.emplace(name, spec.origin).second)
+                        {
                             spec.name = name;
+                        }
                     }
                 }
             }
@@ -252,8 +304,12 @@ namespace ompl_mfa::benchmark
             void checkPose(const std::string &which, ConfigPose &pose) const
             {
                 for (const char *key : {".x", ".y"})
+                {
                     if (!find(problem_, which + key))
+                    {
                         throw InputError(config_.file.string() + ": problem." + which + key + " is missing");
+                    }
+                }
                 pose.origin = problem_.at(which + ".x").origin;
             }
 
@@ -261,8 +317,12 @@ namespace ompl_mfa::benchmark
             {
                 std::set<std::string> keys;
                 for (const auto &[key, entry] : problem_)
+                {
                     if (boost::starts_with(key, which + "."))
+                    {
                         keys.insert(key.substr(which.size() + 1));
+                    }
+                }
                 return keys;
             }
 
@@ -286,21 +346,33 @@ namespace ompl_mfa::benchmark
                 }
                 const ConfigEntry *car = find(problem_, "statespace");
                 if (car && kind->second != StateSpaceKind::SE2)
+                {
                     failAt(*car, "a car's state is x, y, theta");
+                }
                 if (!car)
+                {
                     problem.space = kind->second;
+                }
                 if (problem.space == StateSpaceKind::SE3)
                 {
                     for (const ConfigPose *pose : {&problem.start, &problem.goal})
+                    {
                         if (pose->theta != 0.0 && pose->axis[0] == 0.0 && pose->axis[1] == 0.0 && pose->axis[2] == 0.0)
+                        {
                             throw InputError(pose->origin + ": the rotation axis is (0, 0, 0); give a direction");
+                        }
+                    }
                 }
                 const ConfigEntry *radius = find(problem_, "turningradius");
                 if (radius && !car)
+                {
                     failAt(*radius, "only 'statespace = dubins', 'dubinssymmetric' or 'reedsshepp' turns on a radius");
+                }
                 const ConfigEntry *weight = find(problem_, "rotation_weight");
                 if (weight && problem.space != StateSpaceKind::SE2 && problem.space != StateSpaceKind::SE3)
+                {
                     failAt(*weight, "only SE2 and SE3 weight their rotation");
+                }
             }
 
             void checkRobot() const
@@ -308,14 +380,20 @@ namespace ompl_mfa::benchmark
                 const RobotKind kind = config_.problem.robotKind;
                 const ConfigEntry *robot = find(problem_, "robot");
                 if (!robot)
+                {
                     throw InputError(config_.file.string() +
                                      ": problem.robot is missing; give a mesh or scene file, point, disc or sphere");
+                }
                 const bool isRound = kind == RobotKind::DISC || kind == RobotKind::SPHERE;
                 const ConfigEntry *radius = find(problem_, "robot.radius");
                 if (isRound && !radius)
+                {
                     failAt(*robot, "a " + robot->value + " needs problem.robot.radius");
+                }
                 if (radius && !isRound)
+                {
                     failAt(*radius, "only 'robot = disc' and 'robot = sphere' have a radius");
+                }
             }
 
             void checkVolume()
@@ -345,13 +423,17 @@ namespace ompl_mfa::benchmark
                     return;
                 }
                 if (!missing.empty())
+                {
                     throw InputError(volume->origin + ": the volume is incomplete:" + missing +
                                      " missing; give all of it, or nothing to plan in the world's box");
+                }
                 for (std::size_t i = 0; i < axes.size(); ++i)
                 {
                     if (volume->min[i] >= volume->max[i])
+                    {
                         failAt(problem_.at(std::string("volume.max.") + axes[i]),
                                "expected more than problem.volume.min." + std::string(1, axes[i]));
+                    }
                 }
             }
 
@@ -361,18 +443,26 @@ namespace ompl_mfa::benchmark
                 const ConfigEntry *threshold = find(problem_, "objective.threshold");
                 const bool isWeighted = problem.objective == ObjectiveKind::WEIGHTED;
                 if (threshold && !problem.objective)
+                {
                     failAt(*threshold, "a threshold needs problem.objective");
+                }
                 if (isWeighted == !problem.objectiveWeights.empty())
+                {
                     return;
+                }
                 const std::string prefix = "objective.weight.";
                 std::string keys;
                 for (const auto &key : keysOf(problemRows()))
                 {
                     if (!boost::starts_with(key, prefix))
+                    {
                         continue;
+                    }
                     keys += (keys.empty() ? "problem." : ", problem.") + key;
                     if (const ConfigEntry *weight = find(problem_, key))
+                    {
                         failAt(*weight, "weights need 'objective = weighted'");
+                    }
                 }
                 failAt(problem_.at("objective"), "a weighted objective needs one of " + keys);
             }
@@ -385,10 +475,14 @@ namespace ompl_mfa::benchmark
                 CampaignConfig &benchmark = config_.benchmark;
                 const ConfigEntry *interval = find(benchmark_, "progress_interval");
                 if (!interval)
+                {
                     benchmark.progressInterval =
                         std::max(benchmark.progressInterval, benchmark.timeLimit / USUAL_SAMPLES);
+                }
                 else if (benchmark.progressInterval < benchmark.timeLimit / MOST_SAMPLES)
+                {
                     failAt(*interval, "expected at least a millionth of the time_limit");
+                }
             }
 
             BenchmarkConfig config_;
@@ -408,7 +502,9 @@ namespace ompl_mfa::benchmark
     {
         std::ifstream in(file);
         if (!in || std::filesystem::is_directory(file))
+        {
             throw InputError(file.string() + ": cannot be read; expected a benchmark config");
+        }
         return parseBenchmarkConfig(in, file);
     }
 
@@ -421,12 +517,16 @@ namespace ompl_mfa::benchmark
     {
         std::vector<std::filesystem::path> places = {entry.value, config.file.parent_path() / entry.value};
         for (const auto &folder : collision::resourceFolders())
+        {
             places.push_back(folder / entry.value);
+        }
         std::string sought;
         for (const auto &place : places)
         {
             if (std::filesystem::is_regular_file(place))
+            {
                 return place;
+            }
             sought += (sought.empty() ? "" : ", ") + place.string();
         }
         failAt(entry, "no such file; sought " + sought +

@@ -69,7 +69,9 @@ namespace ompl_mfa::benchmark
                     {
                         double value = 0.0;
                         if (!text::readNumber(entry.value, value) || !std::isfinite(value) || !isAccepted(value))
+                        {
                             failAt(entry, "expected " + accepted);
+                        }
                         return value;
                     },
                     [](double value) { return text::numberText(value); }};
@@ -114,7 +116,9 @@ namespace ompl_mfa::benchmark
         {
             std::vector<std::string> names;
             for (const auto &word : words)
+            {
                 names.push_back(word.first);
+            }
             return {"one of " + boost::algorithm::join(names, ", "),
                     [words, names](const ConfigEntry &entry) { return words[choiceValue(entry, names)].second; },
                     [words](Value value) { return wordOf(words, value); }};
@@ -155,7 +159,9 @@ namespace ompl_mfa::benchmark
                 return (config.*member);
             }
             else
+            {
                 return member(config, index);
+            }
         }
 
         /* The rows of one section. */
@@ -222,7 +228,9 @@ namespace ompl_mfa::benchmark
         double &volumeEnd(ProblemConfig &problem, std::size_t index)
         {
             if (!problem.volume)
+            {
                 problem.volume.emplace();
+            }
             return (index < 3 ? problem.volume->min : problem.volume->max)[index % 3];
         }
 
@@ -237,7 +245,9 @@ namespace ompl_mfa::benchmark
                     [accepted](ProblemConfig &problem, std::size_t, const ConfigEntry &entry)
                     {
                         if (!isFileName(entry.value))
+                        {
                             failAt(entry, "the log has this name; expected " + accepted);
+                        }
                         problem.name = entry.value;
                     }};
         }

@@ -84,7 +84,9 @@ namespace ompl_mfa::benchmark
     {
         std::vector<std::string> keys;
         for (const auto &row : rows)
+        {
             keys.insert(keys.end(), row.keys.begin(), row.keys.end());
+        }
         return keys;
     }
 
@@ -97,7 +99,9 @@ namespace ompl_mfa::benchmark
         {
             const auto place = std::find(row.keys.begin(), row.keys.end(), key);
             if (place == row.keys.end())
+            {
                 continue;
+            }
             row.set(config, static_cast<std::size_t>(place - row.keys.begin()), entry);
             return true;
         }

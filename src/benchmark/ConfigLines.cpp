@@ -70,12 +70,18 @@ namespace ompl_mfa::benchmark
         {
             const auto equals = line.find('=');
             if (equals == std::string::npos)
+            {
                 failAt(origin, "'" + line + "' is neither '[section]' nor 'key = value'");
+            }
             ConfigEntry entry{lowerCase(trimmed(line.substr(0, equals))), trimmed(line.substr(equals + 1)), origin};
             if (entry.key.empty())
+            {
                 failAt(origin, "'" + line + "' has no key before '='");
+            }
             if (!section.empty())
+            {
                 entry.key = section + "." + entry.key;
+            }
             return entry;
         }
     }  // namespace
@@ -88,25 +94,37 @@ namespace ompl_mfa::benchmark
         for (unsigned int number = 1; std::getline(in, line); ++number)
         {
             if (number == 1 && boost::starts_with(line, BYTE_ORDER_MARK))
+            {
                 line.erase(0, BYTE_ORDER_MARK.size());
+            }
             const std::string origin = file + ":" + std::to_string(number);
             if (line.find('\0') != std::string::npos)
+            {
                 failAt(origin, "a NUL character; the file is to be UTF-8 text");
+            }
             line.erase(std::find(line.begin(), line.end(), '#'), line.end());
             line = trimmed(line);
             if (line.empty())
+            {
                 continue;
+            }
             // Names go into logs and JSON documents, which are UTF-8; a comment may be anything.
             if (!isUtf8(line))
+            {
                 failAt(origin, "the file is to be UTF-8 text");
+            }
             if (line.front() == '[')
             {
                 if (line.back() != ']')
+                {
                     failAt(origin, "'" + line + "' has no closing ']'");
+                }
                 section = lowerCase(trimmed(line.substr(1, line.size() - 2)));
             }
             else
+            {
                 entries.push_back(parseEntry(line, section, origin));
+            }
         }
         return entries;
     }
@@ -115,7 +133,9 @@ namespace ompl_mfa::benchmark
     {
         double number = 0.0;
         if (!text::readNumber(entry.value, number) || !std::isfinite(number))
+        {
             failAt(entry, "expected a finite number");
+        }
         return number;
     }
 
@@ -123,7 +143,9 @@ namespace ompl_mfa::benchmark
     {
         std::uint_fast64_t number = 0;
         if (!text::readNumber(entry.value, number) || number < first || number > last)
+        {
             failAt(entry, "expected a whole number from " + std::to_string(first) + " to " + std::to_string(last));
+        }
         return number;
     }
 
@@ -136,7 +158,9 @@ namespace ompl_mfa::benchmark
     {
         const auto found = std::find(accepted.begin(), accepted.end(), lowerCase(entry.value));
         if (found == accepted.end())
+        {
             failAt(entry, "expected one of " + boost::algorithm::join(accepted, ", "));
+        }
         return static_cast<std::size_t>(found - accepted.begin());
     }
 

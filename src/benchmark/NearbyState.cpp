@@ -110,7 +110,9 @@ namespace ompl_mfa::benchmark
                     for (const Eigen::Vector3d &direction : directions)
                     {
                         if (!isValid(centre_ + radius * direction))
+                        {
                             continue;
+                        }
                         const double distance = narrowed(direction, inner, radius);
                         if (distance < least)
                         {
@@ -119,7 +121,9 @@ namespace ompl_mfa::benchmark
                         }
                     }
                     if (std::isfinite(least))
+                    {
                         return written(towards, least);
+                    }
                     inner = radius;
                 }
                 return std::nullopt;
@@ -129,7 +133,9 @@ namespace ompl_mfa::benchmark
             bool isValid(const Eigen::Vector3d &position)
             {
                 for (unsigned int i = 0; i < dimension_; ++i)
+                {
                     *si_.getStateSpace()->getValueAddressAtIndex(state_.get(), i) = position[i];
+                }
                 return si_.satisfiesBounds(state_.get()) && si_.isValid(state_.get());
             }
 
@@ -155,9 +161,13 @@ namespace ompl_mfa::benchmark
                 {
                     const double reach = digits == ALL_DIGITS ? distance : MARGIN * distance;
                     for (int i = 0; i < 3; ++i)
+                    {
                         text::readNumber(text::numberText(centre_[i] + reach * direction[i], digits), position[i]);
+                    }
                     if (isValid(position) && (position - centre_).norm() <= MARGIN * distance * (1.0 + ROUNDING))
+                    {
                         break;
+                    }
                 }
                 NearbyState nearby{pose_, distance};
                 nearby.pose.x = position.x();

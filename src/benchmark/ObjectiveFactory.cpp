@@ -63,7 +63,9 @@ namespace ompl_mfa::benchmark
                 {
                     auto sum = std::make_shared<ob::MultiOptimizationObjective>(si);
                     for (const auto &[term, weight] : problem.objectiveWeights)
+                    {
                         sum->addObjective(makeObjective(si, problem, term), weight);
+                    }
                     sum->lock();
                     return sum;
                 }
@@ -86,10 +88,14 @@ namespace ompl_mfa::benchmark
     ob::OptimizationObjectivePtr makeObjective(const ob::SpaceInformationPtr &si, const ProblemConfig &problem)
     {
         if (!problem.objective)
+        {
             return nullptr;
+        }
         ob::OptimizationObjectivePtr objective = makeObjective(si, problem, *problem.objective);
         if (problem.objectiveThreshold)
+        {
             objective->setCostThreshold(ob::Cost(*problem.objectiveThreshold));
+        }
         return objective;
     }
 }  // namespace ompl_mfa::benchmark

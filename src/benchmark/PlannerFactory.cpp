@@ -80,13 +80,21 @@ namespace ompl_mfa::benchmark
         ValueType valueType(const ob::GenericParam &parameter)
         {
             if (isOneOf<bool>(parameter))
+            {
                 return ValueType::Switch;
+            }
             if (isOneOf<int, long, long long>(parameter))
+            {
                 return ValueType::Integer;
+            }
             if (isOneOf<unsigned int, unsigned long, unsigned long long>(parameter))
+            {
                 return ValueType::Unsigned;
+            }
             if (isOneOf<float, double, long double>(parameter))
+            {
                 return ValueType::Real;
+            }
             return ValueType::Text;
         }
 
@@ -102,7 +110,9 @@ namespace ompl_mfa::benchmark
             std::vector<std::string> parts;
             boost::split(parts, range, boost::is_any_of(":"));
             if (parts.size() < 2)
+            {
                 return false;
+            }
             return text::readNumber(trimmed(parts.front()), first) && text::readNumber(trimmed(parts.back()), last);
         }
 
@@ -113,11 +123,15 @@ namespace ompl_mfa::benchmark
             double first = 0.0;
             double last = 0.0;
             if (!rangeEnds(range, first, last))
+            {
                 return;
+            }
             const bool isFraction = first == 0.0 && last == 1.0;
             const bool isOutside = isFraction ? value < first || value > last : first >= 0.0 && value < 0.0;
             if (isOutside)
+            {
                 failAt(entry, "out of the range " + range);
+            }
         }
 
         void checkChoice(const ConfigEntry &entry, const std::string &range)
@@ -125,7 +139,9 @@ namespace ompl_mfa::benchmark
             std::vector<std::string> choices;
             boost::split(choices, range, boost::is_any_of(","));
             if (choices.size() > 1 && std::find(choices.begin(), choices.end(), entry.value) == choices.end())
+            {
                 failAt(entry, "expected one of " + range);
+            }
         }
 
         /* The text to hand to OMPL, whose own conversion accepts "12abc" as 12 and "-1" as an unsigned number. */
@@ -145,7 +161,9 @@ namespace ompl_mfa::benchmark
                                                    : std::numeric_limits<std::int32_t>::max();
                     if (number != std::floor(number) || number > most || number < (isUnsigned ? 0.0 : -most) ||
                         entry.value.find_first_of(".eE") != std::string::npos)
+                    {
                         failAt(entry, isUnsigned ? "expected a whole number of at least 0" : "expected a whole number");
+                    }
                     checkRange(entry, range, number);
                     return entry.value;
                 }
@@ -165,11 +183,15 @@ namespace ompl_mfa::benchmark
             for (const auto &[name, parameter] : planner.params().getParams())
             {
                 if (lowerCase(name) == lowerCase(entry.key))
+                {
                     return parameter;
+                }
                 names.push_back(name);
             }
             if (names.empty())
+            {
                 failAt(entry, "planner '" + spec.type + "' has no parameters");
+            }
             failAt(entry, "unknown parameter of planner '" + spec.type + "'" + text::suggestion(entry.key, names));
         }
 
@@ -199,7 +221,9 @@ namespace ompl_mfa::benchmark
             const NoWarnings noWarnings;
             const bool isSwitch = valueType(parameter) == ValueType::Switch;
             if (!parameter.setValue(isSwitch ? (switchValue(entry) ? "1" : "0") : entry.value))
+            {
                 failAt(entry, "accepted is " + parameter.accepted());
+            }
         }
 
         void setParameter(ob::Planner &planner, const PlannerSpec &spec, const ConfigEntry &entry)
@@ -223,7 +247,9 @@ namespace ompl_mfa::benchmark
                 failAt(entry, error.what() + accepted);
             }
             if (!isSet)
+            {
                 failAt(entry, "not accepted by planner '" + spec.type + "'" + accepted);
+            }
         }
 
         void requireFitting(const ob::StateSpace &space, const PlannerEntry &entry, const PlannerSpec &spec)
@@ -233,11 +259,17 @@ namespace ompl_mfa::benchmark
                        "planner '" + spec.type + "' does not work in the space '" + space.getName() + "': " + reason);
             };
             if (entry.needsProjection && !space.hasDefaultProjection())
+            {
                 refuse("it needs a projection, and the space has no default one");
+            }
             if (entry.needsSymmetry && !(space.hasSymmetricDistance() && space.hasSymmetricInterpolate()))
+            {
                 refuse("it takes motions backwards, and the space's are not the same both ways");
+            }
             if (entry.needsMetric && !space.isMetricSpace())
+            {
                 refuse("it needs the triangle inequality");
+            }
         }
     }  // namespace
 
@@ -245,7 +277,9 @@ namespace ompl_mfa::benchmark
     {
         std::vector<std::string> names;
         for (const auto &[name, planner] : plannerTable())
+        {
             names.push_back(name);
+        }
         return names;
     }
 
@@ -253,9 +287,13 @@ namespace ompl_mfa::benchmark
     {
         const auto reason = unavailablePlanners().find(type);
         if (reason != unavailablePlanners().end())
+        {
             failAt(origin, "planner '" + type + "' is not available: " + reason->second);
+        }
         if (plannerTable().count(type) == 0)
+        {
             failAt(origin, "unknown planner '" + type + "'" + text::suggestion(type, plannerNames()));
+        }
     }
 
     std::string plannerTitle(const std::string &type)
@@ -271,8 +309,10 @@ namespace ompl_mfa::benchmark
         const auto planner = plannerTable().at(type).allocate(std::make_shared<ob::SpaceInformation>(space));
         std::vector<PlannerParameter> parameters;
         for (const auto &[name, parameter] : planner->params().getParams())
+        {
             parameters.push_back(
                 {name, typeName(valueType(*parameter)), parameter->getRangeSuggestion(), parameter->getValue()});
+        }
         return parameters;
     }
 
@@ -292,13 +332,17 @@ namespace ompl_mfa::benchmark
         }
         planner->setName(spec.name.empty() ? entry.title : spec.name);
         for (const auto &parameter : spec.parameters)
+        {
             setParameter(*planner, spec, parameter);
+        }
         return planner;
     }
 
     void seedPlanner(ob::Planner &planner, std::uint_fast32_t seed)
     {
         if (planner.params().hasParam("seed"))
+        {
             planner.params().setParam("seed", std::to_string(seed));
+        }
     }
 }  // namespace ompl_mfa::benchmark

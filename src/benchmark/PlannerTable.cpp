@@ -255,12 +255,18 @@ namespace ompl_mfa::benchmark
         void markRequirements(std::map<std::string, PlannerEntry> &table)
         {
             for (const char *name : {"kpiece", "bkpiece", "lbkpiece", "projest", "sbl", "psbl", "pdst"})
+            {
                 table.at(name).needsProjection = true;
+            }
             for (const char *name : {"biest", "birlrt", "bkpiece", "lbkpiece", "sbl", "psbl", "prm", "prmstar", "spars",
                                      "spars2", "rrtxstatic"})
+            {
                 table.at(name).needsSymmetry = true;
+            }
             for (const char *name : {"lbtrrt", "lazylbtrrt"})
+            {
                 table.at(name).needsMetric = true;
+            }
         }
 
         std::map<std::string, PlannerEntry> makeTable()

@@ -65,7 +65,9 @@ namespace ompl_mfa::benchmark
         std::shared_ptr<const collision::Scene> loadWorld(const BenchmarkConfig &config)
         {
             if (!config.problem.world)
+            {
                 return std::make_shared<collision::Scene>();
+            }
             const std::filesystem::path file = findResource(config, *config.problem.world);
             try
             {
@@ -81,7 +83,9 @@ namespace ompl_mfa::benchmark
         {
             const ProblemConfig &problem = config.problem;
             if (problem.robotKind != RobotKind::FILE)
+            {
                 return collision::RigidBody::sphere(problem.robotRadius);
+            }
             const std::filesystem::path file = findResource(config, problem.robot);
             try
             {
@@ -113,8 +117,10 @@ namespace ompl_mfa::benchmark
             const unsigned int dimension = positionDimension(problem.space);
             ob::RealVectorBounds bounds(dimension);
             if (world.objects().empty())
+            {
                 throw InputError(config.file.string() +
                                  ": neither problem.world nor problem.volume.* bounds the problem; give one of them");
+            }
             const fcl::AABBd box = world.bounds();
             for (unsigned int i = 0; i < dimension; ++i)
             {
@@ -123,8 +129,10 @@ namespace ompl_mfa::benchmark
                 bounds.setLow(i, std::min({box.min_[i], start, goal}));
                 bounds.setHigh(i, std::max({box.max_[i], start, goal}));
                 if (bounds.low[i] >= bounds.high[i])
+                {
                     throw InputError(config.file.string() + ": the world, start and goal are flat along " +
                                      std::string(1, "xyz"[i]) + "; give problem.volume.*");
+                }
             }
             return bounds;
         }
@@ -140,7 +148,9 @@ namespace ompl_mfa::benchmark
         {
             auto sampler = std::make_shared<Sampler>(si);
             if (context.attempts)
+            {
                 sampler->setNrAttempts(*context.attempts);
+            }
             return sampler;
         }
 
@@ -149,7 +159,9 @@ namespace ompl_mfa::benchmark
         {
             auto sampler = allocateSampler<Sampler>(si, context);
             if (context.standardDeviation)
+            {
                 sampler->setStdDev(context.standardDeviation->value);
+            }
             return sampler;
         }
 
@@ -167,7 +179,9 @@ namespace ompl_mfa::benchmark
                 {
                     auto sampler = allocateSampler<ob::MaximizeClearanceValidStateSampler>(si, context);
                     if (context.improveAttempts)
+                    {
                         sampler->setNrImproveAttempts(context.improveAttempts->value);
+                    }
                     return sampler;
                 }
                 case SamplerKind::BRIDGE_TEST:
@@ -181,9 +195,13 @@ namespace ompl_mfa::benchmark
             const SamplerKind kind = context.sampler.value_or(SamplerKind::UNIFORM);
             const std::string refusal = "the sampler '" + samplerName(kind) + "' has no such setting; ";
             if (context.standardDeviation && kind != SamplerKind::GAUSSIAN && kind != SamplerKind::BRIDGE_TEST)
+            {
                 failAt(context.standardDeviation->entry, refusal + "gaussian and bridge_test have it");
+            }
             if (context.improveAttempts && kind != SamplerKind::MAX_CLEARANCE)
+            {
                 failAt(context.improveAttempts->entry, refusal + "max_clearance has it");
+            }
             si->setValidStateSamplerAllocator([context](const ob::SpaceInformation *space)
                                               { return makeSampler(space, context); });
         }
@@ -193,7 +211,9 @@ namespace ompl_mfa::benchmark
             const auto take = [](auto &value, const auto &other)
             {
                 if (other)
+                {
                     value = other;
+                }
             };
             take(context.sampler, overrides.sampler);
             take(context.attempts, overrides.attempts);
@@ -202,7 +222,9 @@ namespace ompl_mfa::benchmark
             take(context.longestValidSegmentFraction, overrides.longestValidSegmentFraction);
             take(context.validSegmentCountFactor, overrides.validSegmentCountFactor);
             for (std::size_t i = 0; i < context.cellSizes.size(); ++i)
+            {
                 take(context.cellSizes[i], overrides.cellSizes[i]);
+            }
             take(context.cellSizeFactor, overrides.cellSizeFactor);
             return context;
         }
@@ -210,9 +232,13 @@ namespace ompl_mfa::benchmark
         void setResolution(ob::StateSpace &space, const ContextConfig &context)
         {
             if (context.longestValidSegmentFraction)
+            {
                 space.setLongestValidSegmentFraction(*context.longestValidSegmentFraction);
+            }
             if (context.validSegmentCountFactor)
+            {
                 space.setValidSegmentCountFactor(*context.validSegmentCountFactor);
+            }
         }
 
         void setProjection(const ob::StateSpace &space, const ContextConfig &context)
@@ -227,10 +253,14 @@ namespace ompl_mfa::benchmark
                                             std::to_string(projection->getDimension() - 1));
                 }
                 if (size)
+                {
                     projection->setCellSizes(i, size->value);
+                }
             }
             if (context.cellSizeFactor)
+            {
                 projection->mulCellSizes(*context.cellSizeFactor);
+            }
         }
 
         std::shared_ptr<collision::FclStateValidityChecker> makeChecker(
@@ -266,8 +296,10 @@ namespace ompl_mfa::benchmark
             constexpr int DIGITS = 6;
             std::string text;
             for (std::size_t i = 0; i < bounds.low.size(); ++i)
+            {
                 text += (i == 0 ? "[" : " x [") + text::numberText(bounds.low[i], DIGITS) + ", " +
                         text::numberText(bounds.high[i], DIGITS) + "]";
+            }
             return text;
         }
 
@@ -280,7 +312,9 @@ namespace ompl_mfa::benchmark
             constexpr int DIGITS = 4;
             double squaredSize = 0.0;
             for (const double length : bounds.getDifference())
+            {
                 squaredSize += length * length;
+            }
             const auto nearby = findNearbyState(si, kind, pose, SMALL_PART * std::sqrt(squaredSize));
             return nearby ? " by " + text::numberText(nearby->distance, DIGITS) + "; a valid state nearby is " +
                                 describePose(kind, nearby->pose)
@@ -292,7 +326,9 @@ namespace ompl_mfa::benchmark
         {
             const std::string described = which + " " + describePose(problem.space, pose);
             if (!setup.getStateSpace()->satisfiesBounds(state.get()))
+            {
                 failAt(pose.origin, described + " is outside the bounds " + describeBounds(bounds));
+            }
             if (!setup.getSpaceInformation()->isValid(state.get()))
             {
                 failAt(pose.origin, described + " is in collision" +
@@ -323,7 +359,9 @@ namespace ompl_mfa::benchmark
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
         checkCollisions(si, problem, world_, robot_);
         if (const auto objective = makeObjective(si, problem))
+        {
             setup->setOptimizationObjective(objective);
+        }
         si->setup();
         setProjection(*space, context);
         setSampler(si, context);
@@ -347,7 +385,9 @@ namespace ompl_mfa::benchmark
     void setRandomSeed(std::uint_fast32_t seed)
     {
         if (seed == 0)
+        {
             throw InputError("seed = 0: expected a whole number from 1 to 4294967295");
+        }
         ompl::RNG::setSeed(seed);
     }
 }  // namespace ompl_mfa::benchmark

@@ -113,7 +113,9 @@ namespace ompl_mfa::benchmark
                 break;
         }
         if (problem.rotationWeight)
+        {
             space->as<ob::CompoundStateSpace>()->setSubspaceWeight(1, *problem.rotationWeight);
+        }
         return space;
     }
 
@@ -122,7 +124,9 @@ namespace ompl_mfa::benchmark
         ob::ScopedState<> state(space);
         const double position[] = {pose.x, pose.y, pose.z};
         for (unsigned int i = 0; i < positionDimension(kind); ++i)
+        {
             *space->getValueAddressAtIndex(state.get(), i) = position[i];
+        }
         if (kind == StateSpaceKind::SE3)
         {
             state->as<ob::SE3StateSpace::StateType>()->rotation().setAxisAngle(pose.axis[0], pose.axis[1], pose.axis[2],
@@ -145,9 +149,13 @@ namespace ompl_mfa::benchmark
     {
         std::string text = "(" + text::numberText(pose.x) + ", " + text::numberText(pose.y);
         if (positionDimension(kind) == 3)
+        {
             text += ", " + text::numberText(pose.z);
+        }
         if (kind != StateSpaceKind::R2 && kind != StateSpaceKind::R3)
+        {
             text += ", theta " + text::numberText(pose.theta);
+        }
         return text + ")";
     }
 }  // namespace ompl_mfa::benchmark

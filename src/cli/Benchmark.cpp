@@ -100,7 +100,9 @@ namespace ompl_mfa::cli
         {
             double value = 0.0;
             if (text::readNumber(propertyOf(run, property), value) && std::isfinite(value))
+            {
                 values.push_back(value);
+            }
         }
 
         std::vector<PlannerSummary> summarize(const benchmark::BenchmarkLog &log)
@@ -127,7 +129,9 @@ namespace ompl_mfa::cli
         double median(std::vector<double> values)
         {
             if (values.empty())
+            {
                 return NAN;
+            }
             std::sort(values.begin(), values.end());
             return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
         }
@@ -136,7 +140,9 @@ namespace ompl_mfa::cli
         {
             double sum = 0.0;
             for (const double value : values)
+            {
                 sum += value;
+            }
             return values.empty() ? NAN : sum / static_cast<double>(values.size());
         }
 
@@ -176,7 +182,9 @@ namespace ompl_mfa::cli
         void readShard(const std::string &text, benchmark::CampaignOptions &options)
         {
             if (text.empty())
+            {
                 return;
+            }
             const std::size_t slash = text.find('/');
             if (slash == std::string::npos || !text::readNumber(text.substr(0, slash), options.shard) ||
                 !text::readNumber(text.substr(slash + 1), options.shards) || options.shard < 1 ||
@@ -190,8 +198,10 @@ namespace ompl_mfa::cli
         {
             readShard(options.shard, options.campaign);
             if (graceGiven && !(options.campaign.grace >= 0.0 && options.campaign.grace <= LONGEST_GRACE))
+            {
                 throw InputError("--grace " + text::numberText(options.campaign.grace) + ": expected " +
                                  ACCEPTED_GRACE);
+            }
             const benchmark::BenchmarkConfig config = benchmark::readBenchmarkConfig(options.config);
             const benchmark::Campaign campaign = benchmark::makeCampaign(config);
             campaign.validate();
@@ -204,9 +214,13 @@ namespace ompl_mfa::cli
             const benchmark::CampaignResult result = campaign.run(options.campaign);
             const auto summaries = summarize(result.log);
             if (options.json)
+            {
                 printJson(options.campaign.log.string(), summaries);
+            }
             else
+            {
                 printTable(summaries);
+            }
             std::cerr << "log: " << options.campaign.log.string() << std::endl;
             if (result.interruptedBy != 0)
             {

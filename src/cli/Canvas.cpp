@@ -72,7 +72,9 @@ namespace ompl_mfa::cli
         void require(cairo_status_t status)
         {
             if (status != CAIRO_STATUS_SUCCESS)
+            {
                 throw std::runtime_error(std::string("the picture cannot be drawn: ") + cairo_status_to_string(status));
+            }
         }
 
         /** \brief The surface of a file that is written into \e bytes; an image is written at the end. */
@@ -169,11 +171,17 @@ namespace ompl_mfa::cli
                 const double from = half.depth(a);
                 const double to = half.depth(b);
                 if (from < 0.0 && to < 0.0)
+                {
                     return false;
+                }
                 if (from < 0.0)
+                {
                     a += from / (from - to) * (b - a);
+                }
                 else if (to < 0.0)
+                {
                     b = a + from / (from - to) * (b - a);
+                }
             }
             return true;
         }
@@ -191,9 +199,13 @@ namespace ompl_mfa::cli
                     const double from = half.depth(a);
                     const double to = half.depth(b);
                     if (from >= 0.0)
+                    {
                         kept.push_back(a);
+                    }
                     if ((from < 0.0) != (to < 0.0))
+                    {
                         kept.emplace_back(a + from / (from - to) * (b - a));
+                    }
                 }
                 corners = std::move(kept);
             }
@@ -205,11 +217,17 @@ namespace ompl_mfa::cli
     {
         const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
         if (extension == ".svg")
+        {
             return PictureFormat::SVG;
+        }
         if (extension == ".png")
+        {
             return PictureFormat::PNG;
+        }
         if (extension == ".pdf")
+        {
             return PictureFormat::PDF;
+        }
         throw InputError("the picture '" + file +
                          "' has no known format; a file that ends in .svg, .png or .pdf is "
                          "accepted");
@@ -282,7 +300,9 @@ namespace ompl_mfa::cli
                     continue;
                 }
                 if (!continues)
+                {
                     cairo_move_to(context, from.x(), from.y());
+                }
                 cairo_line_to(context, to.x(), to.y());
                 continues = to == line[i];
             }
@@ -295,9 +315,13 @@ namespace ompl_mfa::cli
         cairo_t *context = sheet_->context.get();
         const Points kept = cut(corners, sheet_->area);
         if (kept.empty())
+        {
             return;
+        }
         for (const auto &corner : kept)
+        {
             cairo_line_to(context, corner.x(), corner.y());
+        }
         cairo_close_path(context);
         paint(style);
     }
@@ -321,7 +345,9 @@ namespace ompl_mfa::cli
         setColor(context, Style().stroke, 1.0);
         cairo_translate(context, at.x(), at.y());
         if (upwards)
+        {
             cairo_rotate(context, -PI / 2.0);
+        }
         cairo_move_to(context, -offset, 0.0);
         cairo_show_text(context, text.c_str());
         cairo_restore(context);
@@ -345,7 +371,9 @@ namespace ompl_mfa::cli
     {
         require(cairo_status(sheet_->context.get()));
         if (sheet_->format == PictureFormat::PNG)
+        {
             require(cairo_surface_write_to_png_stream(sheet_->surface.get(), &append, &sheet_->bytes));
+        }
         cairo_surface_finish(sheet_->surface.get());
         require(cairo_surface_status(sheet_->surface.get()));
         return std::move(sheet_->bytes);

@@ -113,7 +113,9 @@ namespace ompl_mfa::cli
             {
                 constexpr unsigned int TRIES = 100;
                 for (unsigned int i = 0; i == 0 || (i < TRIES && !si.isValid(state)); ++i)
+                {
                     sampler->sampleUniform(state);
+                }
             }
             double best = std::numeric_limits<double>::infinity();
             for (unsigned int round = 0; round < ROUNDS; ++round)
@@ -124,7 +126,9 @@ namespace ompl_mfa::cli
                 while (seconds < SHORTEST_ROUND)
                 {
                     for (const ob::State *state : states)
+                    {
                         si.isValid(state);
+                    }
                     checks += STATES;
                     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
                 }
@@ -168,7 +172,9 @@ namespace ompl_mfa::cli
                             [&robot](const collision::CollisionObject &object)
                             { return collision::reachesHeights(object, robot.min_[2], robot.max_[2]); });
             if (benchmark::positionDimension(problem.space) == 3 || objects.empty() || isReached)
+            {
                 return {};
+            }
             const auto number = [](double value) { return text::numberText(value, DIGITS); };
             const fcl::AABBd world = factory.world().bounds();
             return {problem.world->origin + ": problem.world = " + problem.world->value +
@@ -184,7 +190,9 @@ namespace ompl_mfa::cli
             const StraightMotion motion = straightMotion(setup);
             nlohmann::json planners = nlohmann::json::array();
             for (const auto &spec : config.planners)
+            {
                 planners.push_back({{"type", spec.type}, {"name", spec.name}});
+            }
             return {{"problem", config.problem.name},
                     {"space", benchmark::spaceName(config.problem.space)},
                     {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
@@ -240,10 +248,14 @@ namespace ompl_mfa::cli
                       << "goal       valid\n"
                       << "straight   ";
             if (motion["free"].get<bool>())
+            {
                 std::cout << "free, length " << motion["length"].get<double>() << "\n";
+            }
             else
+            {
                 std::cout << "blocked after " << motion["free_fraction"].get<double>() << " of length "
                           << motion["length"].get<double>() << "\n";
+            }
             std::cout << "check      " << std::setprecision(CHECK_TIME_DIGITS)
                       << description["state_check_time"].get<double>()
                       << " microseconds a state; for planners of this project with a seed: mfa.state_check_time="
@@ -259,11 +271,17 @@ namespace ompl_mfa::cli
             checkPlanners(factory);
             const nlohmann::json description = describe(factory, *setup);
             for (const auto &warning : description["warnings"])
+            {
                 std::cerr << "warning: " << oneLine(warning.get<std::string>()) << std::endl;
+            }
             if (options.json)
+            {
                 cli::printDocument(description);
+            }
             else
+            {
                 printText(description);
+            }
         }
     }  // namespace
 

@@ -76,7 +76,9 @@ namespace ompl_mfa::cli
         {
             double width = 0.0;
             for (const auto &tick : ticks)
+            {
                 width = std::max(width, textWidth(tick.label, FONT_SIZE));
+            }
             return width;
         }
 
@@ -88,9 +90,13 @@ namespace ompl_mfa::cli
             for (std::string word; words >> word;)
             {
                 if (!lines.empty() && textWidth(lines.back() + " " + word, TITLE_SIZE) <= width)
+                {
                     lines.back() += " " + word;
+                }
                 else
+                {
                     lines.push_back(word);
+                }
             }
             return lines;
         }
@@ -103,7 +109,9 @@ namespace ompl_mfa::cli
               : entries_(std::move(entries))
             {
                 for (const auto &entry : entries_)
+                {
                     column_ = std::max(column_, LEGEND_KEY + textWidth(entry.words, FONT_SIZE) + LEGEND_GAP);
+                }
                 const double room = width - 2 * PADDING + LEGEND_GAP;
                 const std::size_t most = entries_.empty() ? 1 : std::max(1, static_cast<int>(room / column_));
                 rows_ = (entries_.size() + most - 1) / most;
@@ -141,9 +149,13 @@ namespace ompl_mfa::cli
                     canvas.drawLines({{{x, y}, {x + 24, y}}}, style);
                 }
                 else if (entry.key == LegendEntry::Key::Patch)
+                {
                     canvas.drawPolygon({{x + 5, y - 6}, {x + 19, y - 6}, {x + 19, y + 6}, {x + 5, y + 6}}, entry.style);
+                }
                 else
+                {
                     canvas.drawCircle({x + 12, y}, 5, entry.style);
+                }
             }
 
             std::vector<LegendEntry> entries_;
@@ -163,21 +175,27 @@ namespace ompl_mfa::cli
       , upper_(upper)
     {
         if (!((upper_ - lower_).minCoeff() > 0.0) || !(upper_ - lower_).allFinite())
+        {
             throw std::invalid_argument("Axes: the upper bounds must be greater than the lower ones, all finite");
+        }
     }
 
     void Axes::addPolyline(const Points &points, const Style &style, const std::string &legend)
     {
         shapes_.push_back({Kind::Lines, {points}, 0.0, style});
         if (!legend.empty())
+        {
             legend_.push_back({legend, LegendEntry::Key::Line, style});
+        }
     }
 
     void Axes::addPolygon(const Points &points, const Style &style, const std::string &legend)
     {
         shapes_.push_back({Kind::Polygon, {points}, 0.0, style});
         if (!legend.empty())
+        {
             legend_.push_back({legend, LegendEntry::Key::Patch, style});
+        }
     }
 
     void Axes::addSegments(const Segments &segments, const Style &style, const std::string &legend)
@@ -185,24 +203,32 @@ namespace ompl_mfa::cli
         std::vector<Points> lines;
         lines.reserve(segments.size());
         for (const auto &segment : segments)
+        {
             lines.push_back({segment.first, segment.second});
+        }
         shapes_.push_back({Kind::Lines, std::move(lines), 0.0, style});
         if (!legend.empty())
+        {
             legend_.push_back({legend, LegendEntry::Key::Line, style});
+        }
     }
 
     void Axes::addCircle(const Eigen::Vector2d &center, double radius, const Style &style, const std::string &legend)
     {
         shapes_.push_back({Kind::Circle, {{center}}, radius, style});
         if (!legend.empty())
+        {
             legend_.push_back({legend, LegendEntry::Key::Dot, style});
+        }
     }
 
     void Axes::addMarkers(const Points &points, double radius, const Style &style, const std::string &legend)
     {
         shapes_.push_back({Kind::Markers, {points}, radius, style});
         if (!legend.empty())
+        {
             legend_.push_back({legend, LegendEntry::Key::Dot, style});
+        }
     }
 
     const std::vector<LegendEntry> &cli::Axes::legend() const
@@ -228,13 +254,19 @@ namespace ompl_mfa::cli
             std::vector<Tick> candidates;
             const double last = std::floor(upper / step + 1e-9);
             for (double k = std::ceil(lower / step - 1e-9); k <= last; k += 1.0)
+            {
                 candidates.push_back({k * step, text::numberText(k * step + 0.0, digits)});
+            }
             if (candidates.empty())
+            {
                 break;
+            }
             ticks = std::move(candidates);
             const double space = horizontal ? widest(ticks) + 10 : 18;
             if (step / (upper - lower) * pixels >= space)
+            {
                 return ticks;
+            }
         }
         ticks.resize(std::min<std::size_t>(ticks.size(), 1));
         return ticks;
@@ -278,17 +310,25 @@ namespace ompl_mfa::cli
         {
             lines.emplace_back();
             for (const auto &point : points)
+            {
                 lines.back().push_back(toPixels(point, layout));
+            }
         }
         if (shape.kind == Kind::Lines)
+        {
             canvas.drawLines(lines, shape.style);
+        }
         else if (shape.kind == Kind::Polygon)
+        {
             canvas.drawPolygon(lines.front(), shape.style);
+        }
         else
         {
             const double scale = shape.kind == Kind::Circle ? layout.size.x() / (upper_.x() - lower_.x()) : 1.0;
             for (const auto &point : lines.front())
+            {
                 canvas.drawCircle(point, shape.radius * scale, shape.style);
+            }
         }
     }
 
@@ -313,7 +353,9 @@ namespace ompl_mfa::cli
     {
         canvas.setClip(layout.corner, layout.size);
         for (const auto &shape : shapes_)
+        {
             drawShape(canvas, shape, layout);
+        }
         canvas.clearClip();
         const Eigen::Vector2d &corner = layout.corner;
         const Eigen::Vector2d end = corner + layout.size;
@@ -339,7 +381,9 @@ namespace ompl_mfa::cli
             for (const auto &entry : axes.legend())
             {
                 if (std::none_of(entries.begin(), entries.end(), [&](const auto &e) { return e.words == entry.words; }))
+                {
                     entries.push_back(entry);
+                }
             }
             layouts.push_back(axes.layOut(PANEL_WIDTH));
             titleLines = std::max(titleLines, layouts.back().titleLines.size());
@@ -377,7 +421,9 @@ namespace ompl_mfa::cli
         out << content;
         out.close();
         if (!out)
+        {
             throw InputError("cannot write the picture '" + file +
                              "'; a file in an existing, writable folder is accepted");
+        }
     }
 }  // namespace ompl_mfa::cli

@@ -85,7 +85,9 @@ namespace ompl_mfa::cli
             }
             std::size_t runs = 0;
             for (const auto &planner : merged.planners)
+            {
                 runs += planner.runs.size();
+            }
             const text::PlainNumbers plainNumbers(std::cout);
             std::cout << options.output << ": " << runs << " runs of " << merged.planners.size() << " planners from "
                       << options.parts.size() << " parts" << std::endl;

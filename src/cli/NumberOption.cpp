@@ -47,7 +47,9 @@ namespace ompl_mfa::cli
         const auto read = [&value, name, accepted](const std::string &text)
         {
             if (!text::readNumber(text, value))
+            {
                 throw InputError(name + " " + text + ": expected " + accepted);
+            }
         };
         return command.add_option_function<std::string>(name, read, description)->type_name("NUMBER");
     }

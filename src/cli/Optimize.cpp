@@ -97,7 +97,9 @@ namespace ompl_mfa::cli
             std::vector<double> values;
             values.reserve(runs.size());
             for (const auto &run : runs)
+            {
                 values.push_back(static_cast<double>(projection(run)));
+            }
             std::sort(values.begin(), values.end());
             return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
         }
@@ -107,11 +109,15 @@ namespace ompl_mfa::cli
             FireflyOptimizer optimizer(settings, function.lower(), function.upper(), seed);
             const auto never = [] { return false; };
             for (unsigned int generation = 0; generation <= settings.generations; ++generation)
+            {
                 optimizer.step(function, never);
+            }
 
             unsigned int near = 0;
             for (Eigen::Index i = 0; i < optimizer.population().cols(); ++i)
+            {
                 near += function.isNearOptimum(optimizer.population().col(i)) ? 1 : 0;
+            }
             return {function.valueOf(optimizer.bestBrightness()), static_cast<double>(near) / settings.populationSize,
                     optimizer.evaluations(), optimizer.population()};
         }
@@ -122,7 +128,9 @@ namespace ompl_mfa::cli
             settings.variant = algorithm == "fa" ? FireflyOptimizer::Variant::FA : FireflyOptimizer::Variant::MFA;
             Result result{algorithm, {}};
             for (unsigned int run = 0; run < options.runs; ++run)
+            {
                 result.runs.push_back(runOnce(function, settings, static_cast<std::uint64_t>(options.seed) + run));
+            }
             std::stable_sort(result.runs.begin(), result.runs.end(),
                              [](const Run &a, const Run &b) { return a.shareNearOptimum < b.shareNearOptimum; });
             return result;
@@ -153,7 +161,9 @@ namespace ompl_mfa::cli
                         }
                     }
                     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+                    {
                         segments.emplace_back(crossings[k], crossings[k + 1]);
+                    }
                 }
             }
         }
@@ -185,11 +195,15 @@ namespace ompl_mfa::cli
             for (Eigen::Index i = 0; i < GRID; ++i)
             {
                 for (Eigen::Index j = 0; j < GRID; ++j)
+                {
                     values(i, j) = function.value(lower + cell.cwiseProduct(Eigen::Vector2d(double(i), double(j))));
+                }
             }
             Axes::Segments segments;
             for (const double level : contourLevels({values.data(), values.data() + values.size()}))
+            {
                 addLevel(segments, values, lower, cell, level);
+            }
             return segments;
         }
 
@@ -206,7 +220,9 @@ namespace ompl_mfa::cli
                 Axes axes(title, "x", "y", function.lower(), function.upper());
                 Axes::Points fireflies;
                 for (Eigen::Index i = 0; i < run.population.cols(); ++i)
+                {
                     fireflies.emplace_back(run.population.col(i));
+                }
                 axes.addSegments(lines, {0x8fa8bf, 0.8, std::nullopt, 1.0}, "contours of the function");
                 axes.addCircle(function.optimum(), 0.05 * (function.upper() - function.lower())[0],
                                {0x1a7f37, 1.5, std::nullopt, 1.0}, "near the global optimum");
@@ -255,7 +271,9 @@ namespace ompl_mfa::cli
         void optimize(const Options &options)
         {
             for (const auto &algorithm : options.algorithms)
+            {
                 text::requireKnown("algorithm", algorithm, {"fa", "mfa"});
+            }
             TestFunction function(options.function, options.dimension);
             if (!options.picture.empty() && options.dimension != 2)
             {
@@ -263,17 +281,27 @@ namespace ompl_mfa::cli
                                  " is not accepted; only 2 dimensions can be drawn");
             }
             if (!options.picture.empty())
+            {
                 cli::pictureFormat(options.picture);
+            }
             std::vector<Result> results;
             for (const auto &algorithm : options.algorithms)
+            {
                 results.push_back(runAlgorithm(function, options, algorithm));
+            }
             if (!options.picture.empty())
+            {
                 draw(function, results,
                      benchmark::writtenPath(options.picture, "--picture " + options.picture).string());
+            }
             if (options.json)
+            {
                 printJson(options, results);
+            }
             else
+            {
                 printTable(options, results);
+            }
         }
     }  // namespace
 
@@ -283,7 +311,9 @@ namespace ompl_mfa::cli
         auto *command = app.add_subcommand("optimize", "Optimise a test function with FA and MFA");
         std::string names;
         for (const auto &name : TestFunction::names())
+        {
             names += (names.empty() ? "" : ", ") + name;
+        }
         command->add_option("--function", options->function, "One of " + names)->capture_default_str();
         command->add_option("--algorithm", options->algorithms, "fa, mfa or both, separated by commas")
             ->delimiter(',')

@@ -117,12 +117,20 @@ namespace ompl_mfa::cli
         PlannerSpec findSpec(const BenchmarkConfig &config, const std::string &planner)
         {
             for (const auto &spec : config.planners)
+            {
                 if (spec.name == planner)
+                {
                     return spec;
+                }
+            }
             const std::string type = lowerCase(planner);
             for (const auto &spec : config.planners)
+            {
                 if (spec.type == type)
+                {
                     return spec;
+                }
+            }
             benchmark::requireKnownPlanner(type, "--planner");
             return {type, benchmark::plannerTitle(type), "--planner", {}, {}};
         }
@@ -131,7 +139,9 @@ namespace ompl_mfa::cli
         {
             const auto equals = text.find('=');
             if (equals == std::string::npos)
+            {
                 throw InputError("--parameter " + text + ": expected NAME=VALUE");
+            }
             const benchmark::ConfigEntry entry{trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)),
                                                "--parameter"};
             for (auto &parameter : spec.parameters)
@@ -176,7 +186,9 @@ namespace ompl_mfa::cli
                 const auto &si = setup_->getSpaceInformation();
                 planner_ = benchmark::createPlanner(si, spec);
                 if (!hasParameter(spec, "seed"))
+                {
                     benchmark::seedPlanner(*planner_, options.seed);
+                }
                 measured_ = std::make_shared<benchmark::MeasuredPlanner>(
                     planner_, state_,
                     benchmark::MeasuredPlanner::Settings{options.time, ONLY_AT_FIRST, options.iterations, {}});
@@ -196,7 +208,9 @@ namespace ompl_mfa::cli
                 result.evaluations = progressProperty(*planner_, "evaluations INTEGER");
                 result.iterations = progressProperty(*planner_, "iterations INTEGER");
                 if (setup_->haveSolutionPath())
+                {
                     measurePath(result);
+                }
                 return result;
             }
 
@@ -241,7 +255,9 @@ namespace ompl_mfa::cli
         void requireWritable(const std::string &option, const std::filesystem::path &file)
         {
             if (file.empty())
+            {
                 return;
+            }
             const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
             if (std::filesystem::is_directory(file) || !std::filesystem::is_directory(folder) ||
                 access(std::filesystem::exists(file) ? file.c_str() : folder.c_str(), W_OK) != 0)
@@ -259,7 +275,9 @@ namespace ompl_mfa::cli
             path.printAsMatrix(out);
             out.close();
             if (!out)
+            {
                 throw InputError("--path " + file + ": cannot be written");
+            }
         }
 
         void draw(const ProblemFactory &factory, const PlanRun &run, const Result &result, const Options &options)
@@ -318,7 +336,9 @@ namespace ompl_mfa::cli
                       << "status                   " << result.status << "\n"
                       << "cost                     " << orNone(result.cost, "");
             if (options.simplify)
+            {
                 std::cout << " (" << orNone(result.unsimplifiedCost, "") << " before simplification)";
+            }
             std::cout << "\ntime to first solution   " << orNone(result.timeToFirstSolution, " s") << "\n"
                       << "time                     " << orNone(result.time, " s") << "\n"
                       << "states                   " << result.states << "\n"
@@ -333,34 +353,54 @@ namespace ompl_mfa::cli
             const ProblemFactory factory(benchmark::readBenchmarkConfig(options.file));
             const benchmark::CampaignConfig &benchmark = factory.config().benchmark;
             if (!seedGiven)
+            {
                 options.seed = static_cast<std::uint32_t>(benchmark.seed);
+            }
             if (!timeGiven)
+            {
                 options.time = benchmark.timeLimit;
+            }
             if (!(options.time > 0.0 && options.time <= benchmark::LONGEST_TIME_LIMIT))
+            {
                 throw InputError("--time " + text::numberText(options.time) + ": expected " + ACCEPTED_TIME);
+            }
             options.picture = benchmark::writtenPath(options.picture, "--picture " + options.picture).string();
             options.path = benchmark::writtenPath(options.path, "--path " + options.path).string();
             if (!options.picture.empty())
+            {
                 cli::pictureFormat(options.picture);
+            }
             requireWritable("--picture", options.picture);
             requireWritable("--path", options.path);
             PlannerSpec spec = findSpec(factory.config(), options.planner);
             for (const auto &parameter : options.parameters)
+            {
                 overrideParameter(spec, parameter);
+            }
 
             benchmark::setRandomSeed(options.seed);
             PlanRun run(factory, spec, options);
             const Result result = run.solve();
             if (!options.path.empty() && run.setup().haveSolutionPath())
+            {
                 writePath(run.setup().getSolutionPath(), options.path);
+            }
             if (!options.picture.empty())
+            {
                 draw(factory, run, result, options);
+            }
             if (options.json)
+            {
                 printJson(factory, spec, options, result);
+            }
             else
+            {
                 printText(factory, spec, options, result);
+            }
             if (!result.exact)
+            {
                 throw CLI::RuntimeError(1);
+            }
         }
     }  // namespace
 

@@ -83,22 +83,30 @@ namespace ompl_mfa::cli
             {
                 std::cout << name << " (" << benchmark::plannerTitle(name) << ")\n";
                 for (const auto &parameter : benchmark::plannerParameters(name))
+                {
                     std::cout << "    " << std::left << std::setw(36) << parameter.name << std::setw(10)
                               << parameter.type << std::setw(18) << parameter.defaultValue << parameter.range << "\n";
+                }
             }
         }
 
         void listPlanners(const Options &options)
         {
             for (const auto &name : options.names)
+            {
                 benchmark::requireKnownPlanner(name, "planners");
+            }
             // BIT* warns about some of its parameters whenever they are read
             ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
             const auto names = options.names.empty() ? benchmark::plannerNames() : options.names;
             if (options.json)
+            {
                 printJson(names);
+            }
             else
+            {
                 printTable(names);
+            }
         }
     }  // namespace
 

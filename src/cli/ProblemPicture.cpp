@@ -89,7 +89,9 @@ namespace ompl_mfa::cli
             constexpr double FAR = std::numeric_limits<double>::max();
             View view{fcl::Transform3d::Identity(), -FAR, FAR, 0, vertical, true};
             if (vertical == 2)
+            {
                 view.turned.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+            }
             return view;
         }
 
@@ -110,14 +112,20 @@ namespace ompl_mfa::cli
             const Axes &paint(const PictureContent &content)
             {
                 for (const auto &object : problem_.world().objects())
+                {
                     addOutlines(object, view_.turned, view_.seenThrough ? OBSTACLE_SEEN_THROUGH : OBSTACLE,
                                 "obstacles");
+                }
                 addSlices(content.slices);
                 for (const auto &path : content.swarm)
+                {
                     axes_.addPolyline(positions(path), SWARM,
                                       &path == &content.swarm.front() ? "the swarm's paths" : "");
+                }
                 for (const auto &path : content.best)
+                {
                     addBest(path);
+                }
                 addRobot(setup_.getProblemDefinition()->getStartState(0), START, "start");
                 addGoal();
                 return axes_;
@@ -142,9 +150,13 @@ namespace ompl_mfa::cli
             {
                 const ob::StateSpace *space = setup_.getStateSpace().get();
                 if (const auto *planar = dynamic_cast<const ob::SE2StateSpace *>(space))
+                {
                     return planar->getBounds();
+                }
                 if (const auto *spatial = dynamic_cast<const ob::SE3StateSpace *>(space))
+                {
                     return spatial->getBounds();
+                }
                 return space->as<ob::RealVectorStateSpace>()->getBounds();
             }
 
@@ -158,10 +170,14 @@ namespace ompl_mfa::cli
             Axes::Points positions(og::PathGeometric path) const
             {
                 if (!placement_.interpolatesStraight())
+                {
                     path.interpolate();
+                }
                 Axes::Points points;
                 for (const auto *state : path.getStates())
+                {
                     points.emplace_back(pose(state).translation().head<2>());
+                }
                 return points;
             }
 
@@ -171,7 +187,9 @@ namespace ompl_mfa::cli
             {
                 object.pose = turned * object.pose;
                 for (const auto &polygon : collision::planarOutline(object, view_.zMin, view_.zMax))
+                {
                     axes_.addPolygon(polygon, style, isInLegend(legend) ? "" : legend);
+                }
             }
 
             bool isInLegend(const std::string &words) const
@@ -183,7 +201,9 @@ namespace ompl_mfa::cli
             void addRobotOutlines(const fcl::Transform3d &placed, const Style &style, const std::string &legend)
             {
                 for (const auto &shape : problem_.robot().shapes())
+                {
                     addOutlines({"robot", shape.geometry, shape.pose}, placed, style, legend);
+                }
             }
 
             void addRobot(const ob::State *state, const Style &style, const std::string &legend)
@@ -198,7 +218,9 @@ namespace ompl_mfa::cli
             {
                 const auto *goal = dynamic_cast<const ob::GoalState *>(setup_.getGoal().get());
                 if (goal)
+                {
                     addRobot(goal->getState(), GOAL, "goal");
+                }
             }
 
             void addSlices(const std::vector<og::PathGeometric> &slices)
@@ -209,10 +231,14 @@ namespace ompl_mfa::cli
                     const Eigen::Vector2d from = pose(slice.getState(0)).translation().head<2>();
                     const Eigen::Vector2d to = pose(slice.getState(1)).translation().head<2>();
                     if (!from.isApprox(to))
+                    {
                         segments.emplace_back(from, to);
+                    }
                 }
                 if (!segments.empty())
+                {
                     axes_.addSegments(segments, SLICE, "slices");
+                }
             }
 
             void addBest(const og::PathGeometric &path)
@@ -241,7 +267,9 @@ namespace ompl_mfa::cli
     {
         Figure figure;
         if (benchmark::positionDimension(problem.config().problem.space) == 2)
+        {
             figure.addAxes(ViewPainter(problem, setup, planarView(problem), content.title).paint(content));
+        }
         else
         {
             figure.addAxes(ViewPainter(problem, setup, spatialView(1), content.title + ", from above").paint(content));

@@ -74,7 +74,9 @@ namespace
     {
         std::vector<std::string> names;
         for (const auto *command : app.get_subcommands([](const CLI::App *) { return true; }))
+        {
             names.push_back(command->get_name());
+        }
         return names;
     }
 
@@ -84,7 +86,9 @@ namespace
         for (const auto *option : app.get_options())
         {
             for (const auto &name : option->get_lnames())
+            {
                 names.push_back("--" + name);
+            }
         }
         return names;
     }
@@ -101,20 +105,30 @@ namespace
             return ompl_mfa::text::describeUnknown("option", name, optionNames(innermost));
         }
         if (parsed.empty())
+        {
             return ompl_mfa::text::describeUnknown("command", extra, commandNames(app));
+        }
         return "unexpected argument '" + extra + "' of '" + innermost.get_name() + "'";
     }
 
     int handleParseError(const CLI::App &app, const CLI::ParseError &error)
     {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+        {
             return app.exit(error);
+        }
         if (error.get_name() == "RuntimeError")
+        {
             return error.get_exit_code();
+        }
         if (!app.remaining(true).empty())
+        {
             return report(describeExtra(app), BAD_INPUT);
+        }
         if (app.get_subcommands().empty())
+        {
             return report(error.what() + std::string("; run 'ompl_mfa --help' for the list"), BAD_INPUT);
+        }
         return report(error.what(), BAD_INPUT);
     }
 
@@ -151,7 +165,9 @@ int main(int argc, char **argv)
     {
         const int status = run(argc, argv);
         if (std::fflush(stdout) != 0 || !std::cout.flush())
+        {
             return report("standard output cannot be written", FAILURE);
+        }
         return status;
     }
     catch (const ompl_mfa::InputError &error)

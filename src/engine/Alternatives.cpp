@@ -46,8 +46,12 @@ namespace ompl_mfa::engine
     void Alternatives::add(const path::Waypoints &path)
     {
         if (paths_.size() < CAPACITY)
+        {
             paths_.push_back(path);
+        }
         else
+        {
             paths_[next_++ % CAPACITY] = path;
+        }
     }
 }  // namespace ompl_mfa::engine

@@ -86,7 +86,9 @@ namespace ompl_mfa::engine
         ob::OptimizationObjectivePtr objectiveOf(const ob::Planner &planner)
         {
             if (const auto &objective = planner.getProblemDefinition()->getOptimizationObjective())
+            {
                 return objective;
+            }
             OMPL_INFORM("%s: No optimization objective specified. Defaulting to optimizing path length.",
                         planner.getName().c_str());
             return std::make_shared<ob::PathLengthOptimizationObjective>(planner.getSpaceInformation());
@@ -105,7 +107,9 @@ namespace ompl_mfa::engine
             [this](const path::Waypoints &path, std::size_t motion, const ob::State *lastValid)
             { offerPartial(path, motion, lastValid); });
         for (const auto &part : parts_.parts)
+        {
             sharing_.add(part->firstShare());
+        }
     }
 
     Engine::~Engine() = default;
@@ -121,9 +125,13 @@ namespace ompl_mfa::engine
         const bool exact = incumbent.hasPath();
         const path::Waypoints &path = exact ? incumbent.path() : incumbent.partialPath();
         if (path.empty())
+        {
             return true;
+        }
         if (exact && !context_.query.isAnsweredBy(path))
+        {
             return false;
+        }
         if (!exact)
         {
             double distance = 0.0;
@@ -135,8 +143,10 @@ namespace ompl_mfa::engine
         const bool holds = evaluator.stopped() || (evaluator.checkState(path.front()) && evaluator.checkPath(path)) ||
                            evaluator.interrupted();
         if (!holds)
+        {
             OMPL_INFORM("%s: The path of an earlier solve() is not valid any more; the search restarts",
                         context_.owner.getName().c_str());
+        }
         return holds;
     }
 
@@ -147,20 +157,28 @@ namespace ompl_mfa::engine
         const StopConditionScope stopCondition(context_.evaluator(), ptc);
         const auto status = context_.query.begin(inputs, ptc, context_.spaceInformation());
         if (status != ob::PlannerStatus::EXACT_SOLUTION)
+        {
             return status;
+        }
         mayPublish_ = mayPublish;
         mayPublish_();
         while (!finished(ptc))
+        {
             iterate(inputs, ptc);
+        }
         return status;
     }
 
     bool Engine::finished(const ob::PlannerTerminationCondition &ptc)
     {
         if (ptc())
+        {
             return true;
+        }
         if (!context_.incumbent.hasPath())
+        {
             return false;
+        }
         return context_.objective().isSatisfied(ob::Cost(context_.incumbent.cost())) || proof_.holds();
     }
 
@@ -172,12 +190,18 @@ namespace ompl_mfa::engine
         updatePhase();
         std::vector<Readiness> readiness;
         for (const auto &part : parts_.parts)
+        {
             readiness.push_back(part->readiness());
+        }
         const auto next = sharing_.next(readiness);
         if (!next)
+        {
             std::this_thread::sleep_for(IDLE);  // until starts or goals arrive
+        }
         if (!next || finished(ptc))
+        {
             return;
+        }
         takeTurn(*next);
         mayPublish_();
     }
@@ -196,7 +220,9 @@ namespace ompl_mfa::engine
     void Engine::considerPending()
     {
         for (Proposal &proposal : std::exchange(pending_, {}))
+        {
             consider(std::move(proposal));
+        }
     }
 
     void Engine::takeTurn(std::size_t number)
@@ -221,11 +247,17 @@ namespace ompl_mfa::engine
     void Engine::consider(Findings &findings)
     {
         for (std::size_t i = 0; i < findings.goals.size(); ++i)
+        {
             context_.query.addGoal(findings.goals[i]);
+        }
         for (Proposal &proposal : findings.paths)
+        {
             consider(std::move(proposal));
+        }
         for (const Detour &detour : findings.detours)
+        {
             consider(detour);
+        }
     }
 
     /* A raw path is far from the best of its homotopy class: it is compared after tightening. */
@@ -246,12 +278,16 @@ namespace ompl_mfa::engine
         }
         offer(proposal);
         if (proposal.stage != Proposal::Stage::Raw || parts_.refiner == nullptr)
+        {
             return;
+        }
         proposal.path = parts_.refiner->refine(proposal.path, *proposal.cost, ob::Cost(incumbent.bound()));
         proposal.stage = Proposal::Stage::Tight;
         const double slack = evaluator.withSlack(incumbent.cost(), Alternatives::SLACK);
         if (!offer(proposal) && !context_.objective().isCostBetterThan(ob::Cost(slack), *proposal.cost))
+        {
             context_.alternatives.add(proposal.path);
+        }
     }
 
     void Engine::consider(const Detour &detour)
@@ -259,10 +295,14 @@ namespace ompl_mfa::engine
         ob::Cost cost = detour.cost;
         const path::Waypoints *segment = &detour.segment;
         if (parts_.refiner != nullptr)
+        {
             segment = &parts_.refiner->refine(detour.segment, cost, detour.rival);
+        }
         if (context_.objective().isCostBetterThan(cost, detour.rival))
+        {
             consider(Proposal{replaceSegment(detour.path, detour.first, detour.last, *segment), std::nullopt,
                               Proposal::Stage::Raw, detour.origin});
+        }
     }
 
     bool Engine::offer(const Proposal &proposal)
@@ -271,14 +311,22 @@ namespace ompl_mfa::engine
         const bool first = !incumbent.hasPath();
         const double before = incumbent.cost();
         if (!incumbent.offer(proposal.path, proposal.cost->value(), proposal.origin))
+        {
             return false;
+        }
         if (first)
+        {
             context_.evaluator().setPartialPathEvent({});
+        }
         for (const auto &part : parts_.parts)
+        {
             part->improved(proposal);
+        }
         if (improving_)
+        {
             credit(proposal.origin,
                    std::min(1.0, std::abs(before - incumbent.cost()) / std::max(std::abs(before), 1e-12)));
+        }
         mayPublish_();
         return true;
     }
@@ -289,7 +337,9 @@ namespace ompl_mfa::engine
         for (std::size_t i = 0; i < gains_.size(); ++i)
         {
             if (i == turn_ || origin == parts_.parts[i]->kind())
+            {
                 gains_[i] += gain;
+            }
         }
     }
 
@@ -298,12 +348,16 @@ namespace ompl_mfa::engine
     void Engine::updatePhase()
     {
         if (improving_ || !context_.incumbent.hasFinitePath())
+        {
             return;
+        }
         improving_ = true;
         const double soFar = context_.progress.time();
         sharing_ = TurnSharing();
         for (const auto &part : parts_.parts)
+        {
             sharing_.add(part->improvementShare(soFar));
+        }
     }
 
     /* The piece of the motion up to the last valid state is discretised by itself and may not be valid. */
@@ -313,14 +367,20 @@ namespace ompl_mfa::engine
         isSatisfied(*context_.query.goal(), context_.chart->guard(), lastValid, &distance);
         if (distance < context_.incumbent.partialDistance() &&
             context_.evaluator().checkMotion(path[motion], lastValid))
+        {
             context_.incumbent.offerPartial(path, motion + 1, lastValid, distance);
+        }
     }
 
     void Engine::explain(SearchGraph &graph) const
     {
         for (const auto &part : parts_.parts)
+        {
             part->explain(graph);
+        }
         if (context_.incumbent.hasPath())
+        {
             graph.addPath(context_.incumbent.path());
+        }
     }
 }  // namespace ompl_mfa::engine

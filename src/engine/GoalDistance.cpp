@@ -57,12 +57,16 @@ namespace ompl_mfa::engine
         {
             std::vector<const ob::State *> states;
             if (path::isExactly<ob::GoalState>(goal))
+            {
                 states.push_back(goal.as<ob::GoalState>()->getState());
+            }
             else if (path::isExactly<ob::GoalStates, ob::GoalLazySamples>(goal))
             {
                 const auto &listed = *goal.as<ob::GoalStates>();
                 for (unsigned int i = 0; i < listed.getStateCount(); ++i)
+                {
                     states.push_back(listed.getState(i));
+                }
             }
             return states;
         }
@@ -73,15 +77,23 @@ namespace ompl_mfa::engine
         const auto ask = [&]
         { return distance != nullptr ? goal.isSatisfied(state, distance) : goal.isSatisfied(state); };
         if (!guard.refusesAny())
+        {
             return ask();
+        }
         const std::vector<const ob::State *> goals = measuredStates(goal);
         if (std::all_of(goals.begin(), goals.end(), [&](const ob::State *end) { return guard.computes(state, end); }))
+        {
             return ask();
+        }
         double nearest = std::numeric_limits<double>::infinity();
         for (const ob::State *end : goals)
+        {
             nearest = std::min(nearest, guard.distance(state, end));
+        }
         if (distance != nullptr)
+        {
             *distance = nearest;
+        }
         return nearest <= goal.as<ob::GoalRegion>()->getThreshold();
     }
 }  // namespace ompl_mfa::engine

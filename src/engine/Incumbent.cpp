@@ -72,7 +72,9 @@ namespace ompl_mfa::engine
     bool Incumbent::offer(const path::Waypoints &path, double cost, std::optional<PartKind> origin)
     {
         if (!improvedBy(cost))
+        {
             return false;
+        }
         path_ = path;
         cost_.store(cost, std::memory_order_relaxed);
         ++improvements_;
@@ -83,10 +85,14 @@ namespace ompl_mfa::engine
     bool Incumbent::offerPartial(const path::Waypoints &path, std::size_t count, const ob::State *last, double distance)
     {
         if (!(distance < partialDistance_))
+        {
             return false;
+        }
         partial_.clear();
         for (std::size_t i = 0; i < count; ++i)
+        {
             partial_.append(path[i]);
+        }
         partial_.append(last);
         partialDistance_ = distance;
         return true;

@@ -61,7 +61,9 @@ namespace ompl_mfa::engine
     {
         const Query &query = context_.query;
         if (!query.goalsComplete() || !context_.evaluator().bounds().admissible())
+        {
             return false;
+        }
         pairs_.update(query.starts(), query.goals());
         return pairs_.isBest(context_.incumbent.cost(), query.starts(), query.goals());
     }
@@ -73,7 +75,9 @@ namespace ompl_mfa::engine
         path::PathEvaluator &evaluator = context_.evaluator();
         const path::CostBounds &bounds = evaluator.bounds();
         if (bounds.certain())
+        {
             return true;
+        }
         const Query &query = context_.query;
         const auto &space = context_.chart->space();
         ompl::RNG rng(static_cast<std::uint_fast32_t>(streamSeed(context_.seed, Stream::Detours, probes_)));
@@ -86,7 +90,9 @@ namespace ompl_mfa::engine
             space->copyState(detour[2], query.goals()[probes_ % query.goals().size()]);
             evaluator.cost(detour);
             if (evaluator.interrupted())
+            {
                 return false;
+            }
         }
         return bounds.admissible();
     }

@@ -57,7 +57,9 @@ namespace ompl_mfa::engine
     bool PairBounds::better(double a, double b) const
     {
         if (std::isnan(a) || std::isnan(b))
+        {
             return std::isnan(a) && !std::isnan(b);
+        }
         return bounds_.objective()->isCostBetterThan(ob::Cost(a), ob::Cost(b));
     }
 
@@ -67,7 +69,9 @@ namespace ompl_mfa::engine
         for (double *best : {&ofStart_[i], &ofGoal_[j], &best_})
         {
             if (better(bound, *best))
+            {
                 *best = bound;
+            }
         }
     }
 
@@ -80,7 +84,9 @@ namespace ompl_mfa::engine
         }
         const double worst = bounds_.objective()->infiniteCost().value();
         if (ofStart_.empty() || ofGoal_.empty())
+        {
             best_ = worst;
+        }
         std::size_t pairs = 0;
         while (pairs < PAIRS_AT_ONCE && (ofStart_.size() < starts.size() || ofGoal_.size() < goals.size()))
         {
@@ -90,14 +96,18 @@ namespace ompl_mfa::engine
                 const std::size_t i = ofStart_.size();
                 ofStart_.push_back(worst);
                 for (std::size_t j = 0; j < ofGoal_.size(); ++j)
+                {
                     add(starts[i], i, goals[j], j);
+                }
                 pairs += 1 + ofGoal_.size();
                 continue;
             }
             const std::size_t j = ofGoal_.size();
             ofGoal_.push_back(worst);
             for (std::size_t i = 0; i < ofStart_.size(); ++i)
+            {
                 add(starts[i], i, goals[j], j);
+            }
             pairs += 1 + ofStart_.size();
         }
     }

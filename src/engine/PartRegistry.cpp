@@ -76,7 +76,9 @@ namespace ompl_mfa::engine
             list.swarms = std::make_shared<fireflies::Swarms>(context, options);
             list.parts.push_back(std::make_unique<fireflies::FireflyPart>(context, list.swarms));
             if (context.settings.recombination)
+            {
                 list.parts.push_back(std::make_unique<fireflies::RecombinationPart>(context, list.swarms));
+            }
         }
 
         PartList paperParts(const SearchContext &context)
@@ -97,15 +99,21 @@ namespace ompl_mfa::engine
         const SearchSettings &settings = context.settings;
         PartList list;
         if (settings.isPaper() && !guest)
+        {
             list = paperParts(context);
+        }
         else
         {
             list.guided = settings.usesTrees() || settings.usesRoadmap() || guest;
             if (!settings.fireflies && !list.guided)
+            {
                 throw ompl::Exception(context.owner.getName(),
                                       "nothing searches for paths: fireflies = 0, guide = none and no guide planner");
+            }
             if (settings.fireflies)
+            {
                 addSwarms(context, list);
+            }
             if (settings.tightening)
             {
                 auto tightening = std::make_unique<refinement::TighteningPart>(context);
@@ -113,14 +121,22 @@ namespace ompl_mfa::engine
                 list.parts.push_back(std::move(tightening));
             }
             if (settings.usesTrees())
+            {
                 list.parts.push_back(std::make_unique<guides::TreePart>(context));
+            }
             if (settings.usesRoadmap())
+            {
                 list.parts.push_back(std::make_unique<guides::RoadmapPart>(context, settings.usesTrees()));
+            }
             if (guest)
+            {
                 list.parts.push_back(std::make_unique<guides::GuestPlannerPart>(context, guest));
+            }
         }
         if (context.query.needsGoalSearch())
+        {
             list.parts.push_back(std::make_unique<fireflies::GoalSearchPart>(context));
+        }
         return list;
     }
 }  // namespace ompl_mfa::engine

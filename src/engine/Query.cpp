@@ -66,14 +66,18 @@ namespace ompl_mfa::engine
         std::size_t listedCount(const ob::Goal &goal)
         {
             if (const auto *states = dynamic_cast<const ob::GoalStates *>(&goal))
+            {
                 return states->getStateCount();
+            }
             return goal.as<ob::GoalState>()->getState() != nullptr ? 1 : 0;
         }
 
         const ob::State *listedState(const ob::Goal &goal, std::size_t i)
         {
             if (const auto *states = dynamic_cast<const ob::GoalStates *>(&goal))
+            {
                 return states->getState(static_cast<unsigned int>(i));
+            }
             return goal.as<ob::GoalState>()->getState();
         }
 
@@ -126,13 +130,17 @@ namespace ompl_mfa::engine
     bool Query::differsFrom(const ob::ProblemDefinition &pdef) const
     {
         if (pdef.getGoal() != goal_ || pdef.getOptimizationObjective() != askedObjective_)
+        {
             return true;
+        }
         const auto startAt = [&](std::size_t k) { return pdef.getStartState(static_cast<unsigned int>(k)); };
         std::size_t last = 0;
         for (std::size_t i = 0; i < starts_.size(); ++i)
         {
             if (!isAmong(pdef.getStartStateCount(), startAt, *starts_.space(), starts_[i], last))
+            {
                 return true;
+            }
         }
         return !goalsStillHold();
     }
@@ -140,7 +148,9 @@ namespace ompl_mfa::engine
     bool Query::goalsStillHold() const
     {
         if (goals_.empty())
+        {
             return true;
+        }
         if (isListed(*goal_))
         {
             const auto goalAt = [this](std::size_t k) { return listedState(*goal_, k); };
@@ -149,7 +159,9 @@ namespace ompl_mfa::engine
             for (std::size_t i = 0; i < goals_.size(); ++i)
             {
                 if (!isAmong(count, goalAt, *goals_.space(), goals_[i], last))
+                {
                     return false;
+                }
             }
             return true;
         }
@@ -157,7 +169,9 @@ namespace ompl_mfa::engine
         for (std::size_t i = 0; i < goals_.size(); ++i)
         {
             if (satisfied_[i] && !isSatisfied(*goal_, guard_, goals_[i], nullptr))
+            {
                 return false;
+            }
         }
         return true;
     }
@@ -188,18 +202,24 @@ namespace ompl_mfa::engine
         inputs.restart();
         listed_ = 0;
         while (const ob::State *start = inputs.nextStart())
+        {
             takeStart(start);
+        }
         if (starts_.empty())
         {
             OMPL_ERROR("MFA: there are no valid start states");
             return ob::PlannerStatus::INVALID_START;
         }
         if (needsGoalSearch())
+        {
             return ob::PlannerStatus::EXACT_SOLUTION;
+        }
         if (!goals_.empty())
         {
             if (isListed(*goal_))
+            {
                 skipKnownGoals();
+            }
             return ob::PlannerStatus::EXACT_SOLUTION;
         }
         if (!goal_->as<ob::GoalSampleableRegion>()->couldSample())
@@ -219,23 +239,31 @@ namespace ompl_mfa::engine
             // asked before the goals are read: what its thread adds until it ends is not missed
             const bool moreToCome = !isListed(*goal_) || (lazy != nullptr && lazy->isSampling());
             if (readGoal(inputs))
+            {
                 return ob::PlannerStatus::EXACT_SOLUTION;
+            }
             if (!moreToCome && !haveMoreGoals(inputs))
             {
                 OMPL_ERROR("MFA: there are no valid goal states");
                 return ob::PlannerStatus::INVALID_GOAL;
             }
             if (ptc())
+            {
                 return ob::PlannerStatus::TIMEOUT;
+            }
             if (!haveMoreGoals(inputs))
+            {
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
         }
     }
 
     bool Query::goalsComplete() const
     {
         if (!isListed(*goal_))
+        {
             return false;
+        }
         const auto *lazy = dynamic_cast<const ob::GoalLazySamples *>(goal_.get());
         return (lazy == nullptr || !lazy->isSampling()) && listedCount(*goal_) <= listed_;
     }
@@ -248,7 +276,9 @@ namespace ompl_mfa::engine
     bool Query::takeStart(const ob::State *state)
     {
         if (!isFinite(*starts_.space(), state) || isAmong(starts_, state))
+        {
             return false;
+        }
         starts_.append(state);
         return true;
     }
@@ -256,7 +286,9 @@ namespace ompl_mfa::engine
     bool Query::addGoal(const ob::State *state)
     {
         if (!isFinite(*goals_.space(), state) || isAmong(goals_, state))
+        {
             return false;
+        }
         goals_.append(state);
         satisfied_.push_back(isSatisfied(*goal_, guard_, state, nullptr));
         return true;
@@ -266,16 +298,22 @@ namespace ompl_mfa::engine
     {
         std::size_t last = goals_.size() - 1;
         while (listed_ < listedCount(*goal_) && isAmong(goals_, listedState(*goal_, listed_), last))
+        {
             ++listed_;
+        }
     }
 
     bool Query::readListedGoal()
     {
         if (listed_ >= listedCount(*goal_))
+        {
             return false;
+        }
         const ob::State *state = listedState(*goal_, listed_++);
         if (si_->satisfiesBounds(state) && si_->isValid(state))
+        {
             return addGoal(state);
+        }
         OMPL_WARN("MFA: Skipping invalid goal state %zu", listed_);
         return false;
     }
@@ -283,12 +321,18 @@ namespace ompl_mfa::engine
     bool Query::readGoal(ob::PlannerInputStates &inputs)
     {
         if (hasEnoughGoals())
+        {
             return false;
+        }
         if (isListed(*goal_))
+        {
             return readListedGoal();
+        }
         const ob::State *sample = inputs.nextGoal();
         if (sample == nullptr)
+        {
             return false;
+        }
         // a region without end is sampled ever more rarely
         nextGoalPoll_ = polls_ + ++sampled_;
         return addGoal(sample);
@@ -300,12 +344,18 @@ namespace ompl_mfa::engine
         if (inputs.haveMoreStartStates())
         {
             if (const ob::State *start = inputs.nextStart())
+            {
                 arrived = takeStart(start);
+            }
         }
         if (!haveMoreGoals(inputs))
+        {
             return arrived;
+        }
         if (polls_++ >= nextGoalPoll_ && readGoal(inputs))
+        {
             arrived = true;
+        }
         return arrived;
     }
 

@@ -62,7 +62,9 @@ namespace ompl_mfa::engine
             {
                 states.append(path[i]);
                 if (i > 0)
+                {
                     edges.emplace_back(first + i - 1, first + i);
+                }
             }
             starts.push_back(first);
             goals.push_back(states.size() - 1);

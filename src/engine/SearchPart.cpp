@@ -54,11 +54,17 @@ namespace ompl_mfa::engine
     {
         path::Waypoints whole(path.space());
         for (std::size_t i = 0; i < first; ++i)
+        {
             whole.append(path[i]);
+        }
         for (std::size_t i = 0; i < segment.size(); ++i)
+        {
             whole.append(segment[i]);
+        }
         for (std::size_t i = last + 1; i < path.size(); ++i)
+        {
             whole.append(path[i]);
+        }
         return whole;
     }
 

@@ -60,7 +60,9 @@ namespace ompl_mfa::engine
             iterations = 0;
             evaluations = 0;
             for (auto &spent : spent_)
+            {
                 spent = 0.0;
+            }
         }
 
         /** \brief Counts \e seconds of work by \e part. Called by the searching thread only. */
@@ -75,7 +77,9 @@ namespace ompl_mfa::engine
         {
             double sum = 0.0;
             for (const auto &spent : spent_)
+            {
                 sum += spent.load(std::memory_order_relaxed);
+            }
             return sum;
         }
 

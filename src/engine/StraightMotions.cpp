@@ -76,7 +76,9 @@ namespace ompl_mfa::engine
             }
             ++context_.progress.evaluations;
             if (!valid && !guided_)
+            {
                 evaluator.evaluate(straight, nullptr);  // for the partial path
+            }
             if (valid)
             {
                 findings.paths.push_back({std::move(straight), cost, Proposal::Stage::Straight, std::nullopt});
@@ -90,7 +92,9 @@ namespace ompl_mfa::engine
     {
         if (followed_ || !guided_ || context_.incumbent.hasPath() || context_.evaluator().work() < FIRST_WORK ||
             context_.query.goals().empty())
+        {
             return;
+        }
         context_.evaluator().evaluate(path(context_.query.starts().front(), context_.query.goals().front()), nullptr);
         followed_ = true;
     }
@@ -106,7 +110,9 @@ namespace ompl_mfa::engine
         const path::DubinsGuard &guard = chart.guard();
         const double aside = ASIDE * chart.distance(start, goal);
         if (guard.allows(start, goal) || !std::isfinite(aside))
+        {
             return path;
+        }
         path.insert(1, start);
         for (Eigen::Index i = 0; i < 2 * chart.positionDimension(); ++i)
         {
@@ -115,7 +121,9 @@ namespace ompl_mfa::engine
             const Eigen::VectorXd step = Eigen::VectorXd::Unit(chart.dimension(), i / 2);
             chart.displace(path[1], (i % 2 == 0 ? aside : -aside) * step, path[1]);
             if (guard.allows(start, path[1]) && guard.allows(path[1], goal))
+            {
                 break;
+            }
         }
         return path;
     }

@@ -68,18 +68,26 @@ namespace ompl_mfa::engine
         double computingTime(const ob::StateSpace &space)
         {
             if (dynamic_cast<const ob::ReedsSheppStateSpace *>(&space) != nullptr)
+            {
                 return 3800e-9;
+            }
             if (dynamic_cast<const ob::DubinsStateSpace *>(&space) != nullptr)
+            {
                 return 430e-9;
+            }
             if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
             {
                 double sum = 0.0;
                 for (unsigned int i = 0; i < compound->getSubspaceCount(); ++i)
+                {
                     sum += computingTime(*compound->getSubspace(i));
+                }
                 return sum;
             }
             if (dynamic_cast<const ob::SO3StateSpace *>(&space) != nullptr)
+            {
                 return 17e-9;
+            }
             return 2e-9 + 0.5e-9 * space.getDimension();
         }
     }  // namespace
@@ -93,7 +101,9 @@ namespace ompl_mfa::engine
     {
         const auto n = static_cast<double>(states);
         if (!space.isMetricSpace())
+        {
             return static_cast<std::uint64_t>(LINEAR_SEARCH * n);
+        }
         const double perLevel = TREE_SEARCH * std::pow(TREE_GROWTH, space.getDimension());
         return static_cast<std::uint64_t>(std::min(n, perLevel * std::log2(n + 1.0)));
     }
@@ -120,7 +130,9 @@ namespace ompl_mfa::engine
                    BOOKKEEPING_TIME * static_cast<double>(evaluator_.bookkeeping() - bookkeeping_ + 1);
         }
         if (thread_clock::waits() == waits_)
+        {
             return std::max(thread_clock::processorTime() - processorBegin_, SHORTEST);
+        }
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     }
 }  // namespace ompl_mfa::engine

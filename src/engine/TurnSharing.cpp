@@ -63,14 +63,20 @@ namespace ompl_mfa::engine
     {
         std::optional<std::size_t> best = leastWorked(readiness, Readiness::Ready);
         if (!best)
+        {
             best = leastWorked(readiness, Readiness::Waiting);
+        }
         if (!best)
+        {
             return best;
+        }
         // a part that could not take its turns does not get them all at once later
         for (std::size_t i = 0; i < parts_.size(); ++i)
         {
             if (readiness[i] == Readiness::Idle)
+            {
                 parts_[i].pass = std::max(parts_[i].pass, parts_[*best].pass);
+            }
         }
         return best;
     }
@@ -81,7 +87,9 @@ namespace ompl_mfa::engine
         for (std::size_t i = 0; i < parts_.size(); ++i)
         {
             if (readiness[i] == wanted && (!best || parts_[i].pass < parts_[*best].pass))
+            {
                 best = i;
+            }
         }
         return best;
     }
@@ -90,7 +98,9 @@ namespace ompl_mfa::engine
     {
         double sum = 0.0;
         for (const Part &p : parts_)
+        {
             sum += p.share;
+        }
         return parts_[part].share / sum;
     }
 
@@ -110,10 +120,16 @@ namespace ompl_mfa::engine
     {
         double sum = 0.0;
         for (const Part &p : parts_)
+        {
             sum += p.work > 0.0 ? p.gain / p.work : 0.0;
+        }
         if (sum <= 0.0)
+        {
             return;
+        }
         for (Part &p : parts_)
+        {
             p.share = p.floor + (p.work > 0.0 ? PAYOFF * p.gain / p.work : 0.0) / sum;
+        }
     }
 }  // namespace ompl_mfa::engine

@@ -62,7 +62,11 @@ namespace ompl_mfa
         void requireInterval(const char *setting, double value, double lower, double upper)
         {
             if (value >= lower && value <= upper)
-                return;
+            {
+                {
+                    return;
+                }
+            }
             const std::string least = text::numberText(lower, 6);
             refuse(setting, value,
                    upper == std::numeric_limits<double>::max()
@@ -82,10 +86,18 @@ namespace ompl_mfa
             for (Eigen::Index k = 0; k < lower.size(); ++k)
             {
                 if (!std::isfinite(lower[k]))
-                    refuse(("lower[" + std::to_string(k) + "]").c_str(), lower[k], "finite");
+                {
+                    {
+                        refuse(("lower[" + std::to_string(k) + "]").c_str(), lower[k], "finite");
+                    }
+                }
                 if (!std::isfinite(upper[k] - lower[k]) || upper[k] < lower[k])
-                    refuse(("upper[" + std::to_string(k) + "]").c_str(), upper[k],
-                           "finite and at least the lower bound");
+                {
+                    {
+                        refuse(("upper[" + std::to_string(k) + "]").c_str(), upper[k],
+                               "finite and at least the lower bound");
+                    }
+                }
             }
         }
     }  // namespace
@@ -94,9 +106,17 @@ namespace ompl_mfa
     {
         const unsigned int smallest = variant == Variant::MFA ? 4 : 1;
         if (populationSize < smallest)
-            refuse("populationSize", populationSize, "at least " + std::to_string(smallest));
+        {
+            {
+                refuse("populationSize", populationSize, "at least " + std::to_string(smallest));
+            }
+        }
         if (generations < 1)
-            refuse("generations", generations, "at least 1");
+        {
+            {
+                refuse("generations", generations, "at least 1");
+            }
+        }
         requireInterval("gamma", gamma, 0.0, std::numeric_limits<double>::max());
         requireInterval("alpha", alpha, 0.0, 1.0);
         requireInterval("eta", eta, 0.0, 2.0);
@@ -134,22 +154,46 @@ namespace ompl_mfa
     bool FireflyOptimizer::step(ObjectiveFunction &objective, const StopCondition &stop)
     {
         if (phase_ == Phase::Placing && !placeInitial(stop))
-            return false;
+        {
+            {
+                return false;
+            }
+        }
         if (phase_ == Phase::Initial)
-            return evaluateInitial(objective, stop);
+        {
+            {
+                return evaluateInitial(objective, stop);
+            }
+        }
         if (phase_ == Phase::Between && !beginGeneration(objective, stop))
-            return false;
+        {
+            {
+                return false;
+            }
+        }
         if (phase_ == Phase::Moving && !move(stop))
-            return false;
+        {
+            {
+                return false;
+            }
+        }
         if (phase_ == Phase::Moves && !evaluateMoves(objective, stop))
-            return false;
+        {
+            {
+                return false;
+            }
+        }
         return evaluateTrials(objective, stop) && endGeneration(objective, stop);
     }
 
     bool FireflyOptimizer::asked(const StopCondition &stop)
     {
         if (stop())
-            return true;
+        {
+            {
+                return true;
+            }
+        }
         operationsWhenAsked_ = operations_;
         return false;
     }
@@ -162,9 +206,18 @@ namespace ompl_mfa
     void FireflyOptimizer::inject(const Eigen::Ref<const Eigen::VectorXd> &x)
     {
         if (phase_ != Phase::Placing || cursor_ > 0)
-            throw std::logic_error("FireflyOptimizer: an unevaluated point can only be injected before the first step");
+        {
+            {
+                throw std::logic_error(
+                    "FireflyOptimizer: an unevaluated point can only be injected before the first step");
+            }
+        }
         if (injected_ == settings_.populationSize)
-            throw std::logic_error("FireflyOptimizer: every member of the initial population was injected already");
+        {
+            {
+                throw std::logic_error("FireflyOptimizer: every member of the initial population was injected already");
+            }
+        }
         population_.col(injected_++) = x.cwiseMax(lower_).cwiseMin(upper_);
     }
 
@@ -172,19 +225,31 @@ namespace ompl_mfa
                                   const ObjectiveFunction &objective)
     {
         if (phase_ == Phase::Placing || phase_ == Phase::Initial)
-            throw std::logic_error("FireflyOptimizer: the initial population has not been evaluated yet");
+        {
+            {
+                throw std::logic_error("FireflyOptimizer: the initial population has not been evaluated yet");
+            }
+        }
         unsigned int dimmest = 0;
         for (unsigned int i = 1; i < settings_.populationSize; ++i)
         {
             if (objective.isBrighter(brightness_[dimmest], brightness_[i]))
-                dimmest = i;
+            {
+                {
+                    dimmest = i;
+                }
+            }
         }
         moved_.col(dimmest) = x.cwiseMax(lower_).cwiseMin(upper_);
         place(dimmest, moved_.col(dimmest), brightness, objective);
         moves_[dimmest] = false;
         runLength_ = 0;
         if (phase_ == Phase::Between)
-            sortByBrightness(objective, [] { return false; });
+        {
+            {
+                sortByBrightness(objective, [] { return false; });
+            }
+        }
     }
 
     void FireflyOptimizer::orderChanged(const ObjectiveFunction &objective)
@@ -195,10 +260,18 @@ namespace ompl_mfa
         for (unsigned int i = 1; i < settings_.populationSize; ++i)
         {
             if (objective.isBrighter(brightness_[i], brightness_[brightest]))
-                brightest = i;
+            {
+                {
+                    brightest = i;
+                }
+            }
         }
         if (!objective.isBrighter(brightness_[brightest], bestBrightness_))
-            return;
+        {
+            {
+                return;
+            }
+        }
         best_ = population_.col(brightest);
         bestBrightness_ = brightness_[brightest];
     }
@@ -230,7 +303,11 @@ namespace ompl_mfa
     double FireflyOptimizer::beta0() const
     {
         if (betaSchedule() == BetaSchedule::Constant)
-            return settings_.eta;
+        {
+            {
+                return settings_.eta;
+            }
+        }
         return std::max(0.0, settings_.eta - static_cast<double>(epochGeneration_) / settings_.generations);
     }
 
@@ -240,12 +317,20 @@ namespace ompl_mfa
         for (; cursor_ < settings_.populationSize; ++cursor_)
         {
             if (askedIfDue(stop))
-                return false;
+            {
+                {
+                    return false;
+                }
+            }
             for (Eigen::Index k = 0; k < range_.size(); ++k)
             {
                 const double drawn = std::min(lower_[k] + range_[k] * random_.uniform(), upper_[k]);
                 if (cursor_ >= injected_)
-                    population_(k, cursor_) = drawn;
+                {
+                    {
+                        population_(k, cursor_) = drawn;
+                    }
+                }
             }
             operations_ += static_cast<std::uint64_t>(range_.size());
         }
@@ -261,11 +346,19 @@ namespace ompl_mfa
         for (; cursor_ < settings_.populationSize; ++cursor_)
         {
             if (asked(stop))
-                return false;
+            {
+                {
+                    return false;
+                }
+            }
             place(cursor_, population_.col(cursor_), evaluate(objective, population_.col(cursor_), nullptr), objective);
         }
         if (!sortByBrightness(objective, stop))
-            return false;
+        {
+            {
+                return false;
+            }
+        }
         phase_ = Phase::Between;
         return true;
     }
@@ -273,9 +366,17 @@ namespace ompl_mfa
     bool FireflyOptimizer::beginGeneration(const ObjectiveFunction &objective, const StopCondition &stop)
     {
         if (orderChanged_ && !sortByBrightness(objective, stop))
-            return false;
+        {
+            {
+                return false;
+            }
+        }
         if (epochGeneration_ == settings_.generations)
-            restartEpoch();
+        {
+            {
+                restartEpoch();
+            }
+        }
         // The brightest has nothing to move toward; whoever is as bright moves at random (rule 2 of the paper).
         std::fill(moves_.begin(), moves_.end(), true);
         moves_[order_.front()] = false;
@@ -293,7 +394,11 @@ namespace ompl_mfa
         for (; rank_ < settings_.populationSize; ++rank_, moving_ = false)
         {
             if (!moves_[order_[rank_]])
-                continue;
+            {
+                {
+                    continue;
+                }
+            }
             auto x = moved_.col(order_[rank_]);
             if (!moving_)
             {
@@ -304,7 +409,11 @@ namespace ompl_mfa
             do
             {
                 if (askedIfDue(stop))
-                    return false;
+                {
+                    {
+                        return false;
+                    }
+                }
                 if (movesLeft_ > 0)
                 {
                     const auto target = population_.col(order_[--movesLeft_]);
@@ -317,7 +426,11 @@ namespace ompl_mfa
                     x += beta * (target - x);
                 }
                 for (Eigen::Index k = 0; k < x.size(); ++k)
-                    x[k] += alphaNow * range_[k] * (random_.uniform() - 0.5);
+                {
+                    {
+                        x[k] += alphaNow * range_[k] * (random_.uniform() - 0.5);
+                    }
+                }
                 x = x.cwiseMax(lower_).cwiseMin(upper_);
                 operations_ += static_cast<std::uint64_t>(x.size());
             } while (movesLeft_ > 0);
@@ -332,13 +445,25 @@ namespace ompl_mfa
         for (; cursor_ < settings_.populationSize; ++cursor_)
         {
             if (!moves_[cursor_])
-                continue;
+            {
+                {
+                    continue;
+                }
+            }
             if (asked(stop))
-                return false;
+            {
+                {
+                    return false;
+                }
+            }
             place(cursor_, moved_.col(cursor_), evaluate(objective, moved_.col(cursor_), nullptr), objective);
         }
         if (!sortByBrightness(objective, stop))
-            return false;
+        {
+            {
+                return false;
+            }
+        }
         cursor_ = settings_.variant == Variant::MFA ? 0 : settings_.populationSize;
         trial_ = 0;
         trialsMade_ = false;
@@ -353,7 +478,11 @@ namespace ompl_mfa
             if (!trialsMade_)
             {
                 if (askedIfDue(stop))
-                    return false;
+                {
+                    {
+                        return false;
+                    }
+                }
                 makeTrials(cursor_);
                 trialsMade_ = true;
             }
@@ -362,13 +491,25 @@ namespace ompl_mfa
                 const auto candidate = trials_.col(trial_);
                 // A crossover that took every component from F_i is no trial.
                 if (!settings_.trialVectors[trial_] || candidate == population_.col(cursor_))
-                    continue;
+                {
+                    {
+                        continue;
+                    }
+                }
                 if (asked(stop))
-                    return false;
+                {
+                    {
+                        return false;
+                    }
+                }
                 const Brightness rival = brightness_[cursor_];
                 const Brightness brightness = evaluate(objective, candidate, &rival);
                 if (objective.isBrighter(brightness, rival))
-                    place(cursor_, candidate, brightness, objective);
+                {
+                    {
+                        place(cursor_, candidate, brightness, objective);
+                    }
+                }
             }
         }
         return true;
@@ -404,7 +545,11 @@ namespace ompl_mfa
         const double psi = random_.uniform();
         trials_.col(4) = delta * worst + psi * (best_ - worst);
         for (unsigned int trial = 0; trial < TRIAL_VECTORS; ++trial)
-            trials_.col(trial) = trials_.col(trial).cwiseMax(lower_).cwiseMin(upper_);
+        {
+            {
+                trials_.col(trial) = trials_.col(trial).cwiseMax(lower_).cwiseMin(upper_);
+            }
+        }
         operations_ += static_cast<std::uint64_t>(trials_.size());
     }
 
@@ -414,8 +559,11 @@ namespace ompl_mfa
         for (unsigned int drawn = 0; drawn < n.size(); ++drawn)
         {
             do
-                n[drawn] = random_.index(settings_.populationSize);
-            while (std::find(n.begin(), n.begin() + drawn, n[drawn]) != n.begin() + drawn);
+            {
+                {
+                    n[drawn] = random_.index(settings_.populationSize);
+                }
+            } while (std::find(n.begin(), n.begin() + drawn, n[drawn]) != n.begin() + drawn);
         }
         return n;
     }
@@ -423,7 +571,11 @@ namespace ompl_mfa
     bool FireflyOptimizer::endGeneration(const ObjectiveFunction &objective, const StopCondition &stop)
     {
         if (settings_.variant == Variant::MFA && !sortByBrightness(objective, stop))
-            return false;
+        {
+            {
+                return false;
+            }
+        }
         ++generation_;
         ++epochGeneration_;
         phase_ = Phase::Between;
@@ -437,7 +589,11 @@ namespace ompl_mfa
         const auto brighter = [&](unsigned int a, unsigned int b)
         {
             if (objective.isBrighter(brightness_[a], brightness_[b]))
-                return true;
+            {
+                {
+                    return true;
+                }
+            }
             return a < b && !objective.isBrighter(brightness_[b], brightness_[a]);
         };
         const std::size_t size = order_.size();
@@ -452,7 +608,11 @@ namespace ompl_mfa
             while (mergedUpTo_ < size)
             {
                 if (askedIfDue(stop))
-                    return false;
+                {
+                    {
+                        return false;
+                    }
+                }
                 const std::size_t middle = std::min(mergedUpTo_ + runLength_, size);
                 const std::size_t last = std::min(middle + runLength_, size);
                 const auto at = [this](std::size_t i) { return sorted_.begin() + static_cast<std::ptrdiff_t>(i); };

@@ -72,7 +72,9 @@ namespace ompl_mfa::optimizer
         {
             double product = 1.0;
             for (Eigen::Index i = 0; i < x.size(); ++i)
+            {
                 product *= std::cos(x[i] / std::sqrt(static_cast<double>(i + 1)));
+            }
             return 1.0 + x.squaredNorm() / 4000.0 - product;
         }
 
@@ -85,7 +87,9 @@ namespace ompl_mfa::optimizer
         {
             double sum = 0.0;
             for (Eigen::Index i = 0; i + 1 < x.size(); ++i)
+            {
                 sum += 100.0 * std::pow(x[i + 1] - x[i] * x[i], 2) + std::pow(1.0 - x[i], 2);
+            }
             return sum;
         }
 
@@ -96,7 +100,9 @@ namespace ompl_mfa::optimizer
             double sum = std::pow(std::sin(PI * w[0]), 2) +
                          std::pow(last - 1.0, 2) * (1.0 + std::pow(std::sin(2 * PI * last), 2));
             for (Eigen::Index i = 0; i + 1 < w.size(); ++i)
+            {
                 sum += std::pow(w[i] - 1.0, 2) * (1.0 + 10.0 * std::pow(std::sin(PI * w[i] + 1.0), 2));
+            }
             return sum;
         }
 
@@ -134,11 +140,15 @@ namespace ompl_mfa::optimizer
                              "' is not accepted; it must be at least " + std::to_string(smallest));
         }
         if (shift_.size() == 0)
+        {
             shift_ = Eigen::VectorXd::Zero(dimension_);
+        }
         for (const auto &definition : DEFINITIONS)
         {
             if (name != definition.name)
+            {
                 continue;
+            }
             lower_ = definition.lower;
             upper_ = definition.upper;
             optimum_ = definition.optimum;
@@ -154,7 +164,9 @@ namespace ompl_mfa::optimizer
             std::vector<std::string> list;
             list.reserve(DEFINITIONS.size());
             for (const auto &definition : DEFINITIONS)
+            {
                 list.emplace_back(definition.name);
+            }
             return list;
         }();
         return allNames;

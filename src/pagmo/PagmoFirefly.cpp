@@ -70,7 +70,9 @@ namespace
         {
             // The optimiser begins with the members in their order.
             if (next_ < known_.size())
+            {
                 return {0.0, known_[next_++][0]};
+            }
             std::copy(x.data(), x.data() + x.size(), x_.begin());
             return {0.0, problem_.fitness(x_)[0]};
         }
@@ -101,18 +103,28 @@ namespace
                                                    "continuous, finite bounds");
         };
         if (problem.get_nobj() != 1U)
+        {
             refuse("several objectives");
+        }
         if (problem.get_nc() != 0U)
+        {
             refuse("constraints");
+        }
         if (problem.is_stochastic())
+        {
             refuse("a stochastic problem");
+        }
         if (problem.get_nix() != 0U)
+        {
             refuse("integers");
+        }
         const auto isFinite = [](double value) { return std::isfinite(value); };
         const auto bounds = problem.get_bounds();
         if (!std::all_of(bounds.first.begin(), bounds.first.end(), isFinite) ||
             !std::all_of(bounds.second.begin(), bounds.second.end(), isFinite))
+        {
             refuse("infinite bounds");
+        }
     }
 }  // namespace
 
@@ -126,8 +138,10 @@ ompl_mfa::PagmoFirefly::PagmoFirefly(unsigned int generations, double gamma, dou
   , seed_(seed)
 {
     if (variant != "mfa" && variant != "fa")
+    {
         pagmo_throw(std::invalid_argument,
                     "PagmoFirefly: variant '" + variant + "' is not accepted; use 'mfa' or 'fa'");
+    }
     FireflyOptimizer::Settings settings;
     settings.gamma = gamma_;
     settings.alpha = alpha_;
@@ -139,7 +153,9 @@ pagmo::population ompl_mfa::PagmoFirefly::evolve(pagmo::population population) c
 {
     requireSuitable(population.get_problem(), get_name());
     if (generations_ == 0U)
+    {
         return population;
+    }
     FireflyOptimizer::Settings settings;
     settings.variant = isMfa_ ? FireflyOptimizer::Variant::MFA : FireflyOptimizer::Variant::FA;
     settings.populationSize = static_cast<unsigned int>(population.size());
@@ -150,7 +166,9 @@ pagmo::population ompl_mfa::PagmoFirefly::evolve(pagmo::population population) c
     const auto bounds = population.get_problem().get_bounds();
     FireflyOptimizer optimizer(settings, toEigen(bounds.first), toEigen(bounds.second), deriveSeed(seed_, 0, calls_++));
     for (const auto &x : population.get_x())
+    {
         optimizer.inject(toEigen(x));
+    }
 
     ProblemObjective objective(population);
     const auto never = [] { return false; };
@@ -158,12 +176,18 @@ pagmo::population ompl_mfa::PagmoFirefly::evolve(pagmo::population population) c
     {
         optimizer.step(objective, never);
         if (verbosity_ > 0U && generation % verbosity_ == 0U)
+        {
             pagmo::print("generation ", generation, ", best ", optimizer.bestBrightness().cost, "\n");
+        }
     }
     for (unsigned int i = 0; i < settings.populationSize; ++i)
+    {
         population.set_xf(i, fromEigen(optimizer.population().col(i)), {optimizer.brightness(i).cost});
+    }
     if (optimizer.bestBrightness().cost < optimizer.brightness(optimizer.brightestIndex()).cost)
+    {
         population.set_xf(optimizer.order().back(), fromEigen(optimizer.best()), {optimizer.bestBrightness().cost});
+    }
     return population;
 }
 

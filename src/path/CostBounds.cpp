@@ -68,16 +68,24 @@ namespace ompl_mfa::path
         {
             if (isExactly<ob::RealVectorStateSpace, ob::SO2StateSpace, ob::SO3StateSpace, ob::ReedsSheppStateSpace>(
                     space))
+            {
                 return true;
+            }
             if (isExactly<ob::DubinsStateSpace>(space))
+            {
                 return !space.hasSymmetricDistance();
+            }
             if (!isExactly<ob::CompoundStateSpace, ob::SE2StateSpace, ob::SE3StateSpace>(space))
+            {
                 return false;
+            }
             const auto &compound = *space.as<ob::CompoundStateSpace>();
             for (unsigned int i = 0; i < compound.getSubspaceCount(); ++i)
             {
                 if (compound.getSubspaceWeight(i) < 0.0 || !obeysTriangleInequality(*compound.getSubspace(i)))
+                {
                     return false;
+                }
             }
             return true;
         }
@@ -100,9 +108,13 @@ namespace ompl_mfa::path
     bool CostBounds::beats(ob::Cost cost, ob::Cost bound) const
     {
         if (!objective_->isCostBetterThan(cost, bound))
+        {
             return false;
+        }
         if (!std::isfinite(cost.value()) || !std::isfinite(bound.value()))
+        {
             return true;
+        }
         return std::abs(cost.value() - bound.value()) >
                ROUNDING * std::max(std::abs(cost.value()), std::abs(bound.value()));
     }
@@ -110,16 +122,22 @@ namespace ompl_mfa::path
     void CostBounds::observeMotion(const ob::State *from, const ob::State *to, ob::Cost cost)
     {
         if (certain_)
+        {
             return;
+        }
         if (monotone_ && beats(cost, objective_->identityCost()))
+        {
             monotone_ = false;
+        }
         observePath(from, to, cost);
     }
 
     void CostBounds::observePath(const ob::State *from, const ob::State *to, ob::Cost cost)
     {
         if (certain_ || !admissible_ || !beats(cost, ob::Cost(motionBound(from, to))))
+        {
             return;
+        }
         admissible_ = false;
         OMPL_INFORM(
             "MFA: a path of cost %g is better than the objective's motionCostHeuristic allows: lower bounds are "
@@ -138,7 +156,9 @@ namespace ompl_mfa::path
     {
         // an objective that takes the better or the worse of two costs might lose what is no number
         if (std::isnan(to) || std::isnan(from))
+        {
             return std::numeric_limits<double>::quiet_NaN();
+        }
         return objective_->combineCosts(ob::Cost(to), ob::Cost(from)).value();
     }
 
@@ -169,7 +189,9 @@ namespace ompl_mfa::path
     bool CostBounds::canBeat(const ob::State *start, const ob::State *state, const ob::State *goal, double bound) const
     {
         if (std::isinf(bound) || !admissible_)
+        {
             return true;
+        }
         return canBeat(combine(lowerBoundTo(start, state), lowerBoundFrom(state, goal)), bound);
     }
 }  // namespace ompl_mfa::path

@@ -131,7 +131,9 @@ namespace ompl_mfa::path
                 // a heading a little to the right of the direction to the end is itself taken for that
                 const bool rounded = cosFirst_ > 0.0 && sinFirst_ < 0.0 && sinFirst_ > -ROUNDED;
                 if (!(distance_ < FARTHEST) || (rounded && -sinFirst_ * distance_ > LARGEST_MISS))
+                {
                     return false;
+                }
                 const double sinFirst = rounded ? 0.0 : sinFirst_;
                 const double across = distance_ * sinFirst;
                 const double ahead = distance_ * cosFirst_;
@@ -170,7 +172,9 @@ namespace ompl_mfa::path
         State *substate(const std::vector<std::size_t> &chain, State *state)
         {
             for (const std::size_t i : chain)
+            {
                 state = state->template as<ob::CompoundState>()->components[i];
+            }
             return state;
         }
 
@@ -183,7 +187,9 @@ namespace ompl_mfa::path
                 const int multiple = k % 2 == 0 ? -(k / 2) : (k + 1) / 2;
                 from.setYaw(std::remainder(yaw + multiple * TURN, TWO_PI));
                 if (PosePair(from, to, radius).curvesExist())
+                {
                     return true;
+                }
             }
             return false;
         }
@@ -279,7 +285,9 @@ namespace ompl_mfa::path
     double DubinsGuard::distance(const ob::State *from, const ob::State *to) const
     {
         if (computes(from, to))
+        {
             return space_->distance(from, to);
+        }
         const TurnedMotion turned(*this, from, to);
         return turned.exists() ? space_->distance(turned.from(), turned.to()) : std::numeric_limits<double>::infinity();
     }
@@ -287,7 +295,9 @@ namespace ompl_mfa::path
     unsigned int DubinsGuard::validSegmentCount(const ob::State *from, const ob::State *to) const
     {
         if (computes(from, to))
+        {
             return space_->validSegmentCount(from, to);
+        }
         const TurnedMotion turned(*this, from, to);
         return turned.exists() ? space_->validSegmentCount(turned.from(), turned.to()) : 1;
     }
@@ -295,10 +305,14 @@ namespace ompl_mfa::path
     void DubinsGuard::interpolate(const ob::State *from, const ob::State *to, double t, ob::State *state) const
     {
         if (computes(from, to))
+        {
             return space_->interpolate(from, to, t, state);
+        }
         const TurnedMotion turned(*this, from, to);
         if (turned.exists())
+        {
             return space_->interpolate(turned.from(), turned.to(), t, state);
+        }
         // no curve leads from one to the other: the nearer end stands for what lies between
         space_->copyState(state, t < 0.5 ? from : to);
     }

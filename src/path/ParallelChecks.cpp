@@ -91,7 +91,9 @@ namespace ompl_mfa::path
     bool ParallelChecks::checkMotion(const Motion &motion)
     {
         if (splitsMotions())
+        {
             return checkStates(motion);
+        }
         const Stopwatch watch;
         const bool valid = si_->checkMotion(motion.from, motion.to);
         motionTime_ = watch.seconds();
@@ -112,7 +114,9 @@ namespace ompl_mfa::path
                       const Stopwatch watch;
                       valid[i] = si_->checkMotion(motions[i].from, motions[i].to) ? 1 : 0;
                       if (thread == 0)
+                      {
                           motionTime_ = watch.seconds();
+                      }
                       return true;
                   });
         return count;
@@ -133,12 +137,16 @@ namespace ompl_mfa::path
         for (std::size_t i = 0; i < alone; ++i)
         {
             if (!isValidAt(0, motion, order_[i], count))
+            {
                 return false;
+            }
         }
         const std::size_t left = order_.size() - alone;
         if (left * watch.seconds() < ALONE * WAKE_UP)
+        {
             return std::all_of(order_.begin() + static_cast<std::ptrdiff_t>(alone), order_.end(),
                                [&](unsigned int state) { return isValidAt(0, motion, state, count); });
+        }
         return pool_.run(left, [&](std::size_t thread, std::size_t i)
                          { return isValidAt(thread, motion, order_[alone + i], count); });
     }
@@ -149,16 +157,22 @@ namespace ompl_mfa::path
         order_.clear();
         intervals_.clear();
         if (count >= 2)
+        {
             intervals_.emplace_back(1, count - 1);
+        }
         for (std::size_t i = 0; i < intervals_.size(); ++i)
         {
             const auto [first, last] = intervals_[i];
             const unsigned int middle = (first + last) / 2;
             order_.push_back(middle);
             if (first < middle)
+            {
                 intervals_.emplace_back(first, middle - 1);
+            }
             if (last > middle)
+            {
                 intervals_.emplace_back(middle + 1, last);
+            }
         }
     }
 
@@ -168,7 +182,9 @@ namespace ompl_mfa::path
         const auto check = [&](std::size_t thread, std::size_t i)
         {
             if (!isValidAt(thread, motion, static_cast<unsigned int>(i) + 1, count))
+            {
                 ++invalid;
+            }
             return true;
         };
         const Stopwatch watch;
@@ -176,10 +192,14 @@ namespace ompl_mfa::path
         if ((count - 1) * watch.seconds() < WAKE_UP)
         {
             for (std::size_t i = 1; i < count; ++i)
+            {
                 check(0, i);
+            }
         }
         else
+        {
             pool_.run(count - 1, [&](std::size_t thread, std::size_t i) { return check(thread, i + 1); });
+        }
         return invalid;
     }
 }  // namespace ompl_mfa::path

@@ -89,7 +89,9 @@ namespace ompl_mfa::path
             walk.stateAt(k * step, ends[0]);
             otherWalk.stateAt(k * otherStep, ends[1]);
             if (!evaluator.checkMotion(ends[0], ends[1]))
+            {
                 return false;
+            }
         }
         return true;
     }

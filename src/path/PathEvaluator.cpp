@@ -105,7 +105,9 @@ namespace ompl_mfa::path
         cost = objective_->motionCost(from, to);
         // an integral over no length of an infinite cost
         if (std::isnan(cost.value()) && si_->equalStates(from, to))
+        {
             cost = objective_->identityCost();
+        }
         number(cost, "motion cost");
         bounds_.observeMotion(from, to, cost);
         return true;
@@ -118,7 +120,9 @@ namespace ompl_mfa::path
         for (std::size_t i = 0; i < motionCosts_.size(); ++i)
         {
             if (!motionCost(path[i], path[i + 1], motionCosts_[i]))
+            {
                 return objective_->infiniteCost();
+            }
         }
         return cost(path, motionCosts_);
     }
@@ -140,8 +144,10 @@ namespace ompl_mfa::path
     ob::Cost PathEvaluator::number(ob::Cost cost, const char *what) const
     {
         if (std::isnan(cost.value()))
+        {
             throw ompl::Exception("MFA", "the objective '" + objective_->getDescription() + "' computed a " + what +
                                              " that is not a number");
+        }
         return cost;
     }
 
@@ -160,7 +166,9 @@ namespace ompl_mfa::path
     bool PathEvaluator::checkMotion(const ob::State *from, const ob::State *to)
     {
         if (stopped() || !guard_.allows(from, to))
+        {
             return false;
+        }
         const bool valid = parallel_ ? parallel_->checkMotion({from, to}) : si_->checkMotion(from, to);
         checks_ += motionWork(*si_, {from, to}, valid);
         return valid;
@@ -169,11 +177,15 @@ namespace ompl_mfa::path
     bool PathEvaluator::screenMotion(const ob::State *from, const ob::State *to, unsigned int stride)
     {
         if (stopped() || !guard_.allows(from, to))
+        {
             return false;
+        }
         const unsigned int most = si_->getStateSpace()->validSegmentCount(from, to) / stride;
         unsigned int count = 1;
         while (2 * count <= most)
+        {
             count *= 2;
+        }
         const Motion motion{from, to};
         const bool valid = parallel_ ? parallel_->checkInside(motion, count) : checkInside(motion, count);
         checks_ += bisectionWork(count, valid);
@@ -190,7 +202,9 @@ namespace ompl_mfa::path
             {
                 si_->getStateSpace()->interpolate(motion.from, motion.to, static_cast<double>(j) / pieces, scratch_);
                 if (!si_->isValid(scratch_))
+                {
                     return false;
+                }
             }
         }
         return true;
@@ -206,11 +220,17 @@ namespace ompl_mfa::path
     bool PathEvaluator::checkNext(std::size_t i)
     {
         if (!parallel_)
+        {
             return checkMotion(motions_[i].from, motions_[i].to);
+        }
         if (stopped())
+        {
             return false;
+        }
         if (i == 0)
+        {
             checked_ = 0;
+        }
         if (!guard_.allows(motions_[i].from, motions_[i].to))
         {
             checked_ = i + 1;
@@ -239,7 +259,9 @@ namespace ompl_mfa::path
         for (std::size_t i = 0; i < motions_.size(); ++i)
         {
             if (!checkNext(i))
+            {
                 return false;
+            }
         }
         return true;
     }
@@ -264,17 +286,23 @@ namespace ompl_mfa::path
     bool PathEvaluator::checkBetween(const Motion &motion)
     {
         if (!guard_.allows(motion.from, motion.to))
+        {
             return false;
+        }
         const auto &space = si_->getStateSpace();
         const unsigned int states = space->validSegmentCount(motion.from, motion.to);
         for (unsigned int j = 0; j < states; ++j)
         {
             if (j % STATES_BETWEEN_STOPS == STATES_BETWEEN_STOPS - 1 && stopped())
+            {
                 return false;
+            }
             space->interpolate(motion.from, motion.to, (j + 0.5) / states, scratch_);
             ++checks_;
             if (!si_->isValid(scratch_))
+            {
                 return false;
+            }
         }
         return true;
     }
@@ -283,21 +311,27 @@ namespace ompl_mfa::path
     {
         motions_.clear();
         for (std::size_t i = 1; i < path.size(); ++i)
+        {
             motions_.push_back({path[i - 1], path[i]});
+        }
         return checkAll();
     }
 
     bool PathEvaluator::isBrighter(const Brightness &a, const Brightness &b) const
     {
         if (a.violation != b.violation)
+        {
             return a.violation < b.violation;
+        }
         return objective_->isCostBetterThan(ob::Cost(a.cost), ob::Cost(b.cost));
     }
 
     double PathEvaluator::withSlack(double cost, double factor) const
     {
         if (!std::isfinite(cost) || cost <= 0.0)
+        {
             return cost;
+        }
         const double slack = factor * cost;
         return std::isfinite(slack) && objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(slack)) ? slack : cost;
     }
@@ -314,32 +348,48 @@ namespace ompl_mfa::path
         Brightness result{0.0, cost.value()};
         const bool feasibleRival = rival != nullptr && rival->isFeasible();
         if (feasibleRival && !isBrighter(result, *rival))
+        {
             return {};
+        }
         const std::size_t motions = path.size() - 1;
         // a path that fails often fails where the last one did
         const std::size_t first = partialPath_ || lastInvalid_ >= motions ? 0 : lastInvalid_;
         if (stride > 1 && !partialPath_ && !addInvalidLengths(path, first, stride, rival, result))
+        {
             return result;
+        }
         const auto number = [first](std::size_t k) { return k == 0 ? first : (k <= first ? k - 1 : k); };
         motions_.clear();
         for (std::size_t k = 0; k < motions; ++k)
+        {
             motions_.push_back({path[number(k)], path[number(k) + 1]});
+        }
         for (std::size_t k = 0; k < motions; ++k)
         {
             if (checkNext(k))
+            {
                 continue;
+            }
             const std::size_t i = number(k);
             if (interrupted_)
+            {
                 return {};
+            }
             lastInvalid_ = i;
             if (feasibleRival)
+            {
                 return {};
+            }
             if (partialPath_ && result.violation == 0.0)
+            {
                 reportPartialPath(path, i);
+            }
             // a motion that only the motion validator finds invalid still counts
             result.violation += invalidLength({path[i], path[i + 1]}, 1, 1);
             if (rival != nullptr && result.violation > rival->violation)
+            {
                 return {};
+            }
         }
         return result;
     }
@@ -361,13 +411,17 @@ namespace ompl_mfa::path
     {
         checks_ += count;
         if (parallel_)
+        {
             return parallel_->countInvalid({from, to}, count);
+        }
         unsigned int invalid = 0;
         for (unsigned int j = 1; j <= count; ++j)
         {
             si_->getStateSpace()->interpolate(from, to, static_cast<double>(j) / count, scratch_);
             if (!si_->isValid(scratch_))
+            {
                 ++invalid;
+            }
         }
         return invalid;
     }
@@ -377,7 +431,9 @@ namespace ompl_mfa::path
     double PathEvaluator::invalidLength(const Motion &motion, unsigned int stride, unsigned int least)
     {
         if (!guard_.allows(motion.from, motion.to))
+        {
             return guard_.distance(motion.from, motion.to);
+        }
         const unsigned int count =
             std::max(1U, si_->getStateSpace()->validSegmentCount(motion.from, motion.to) / stride);
         const unsigned int invalid = std::max(least, countInvalid(motion.from, motion.to, count));
@@ -400,9 +456,13 @@ namespace ompl_mfa::path
             const std::size_t i = (first + k) % motions;
             const double length = invalidLength({path[i], path[i + 1]}, stride, 0);
             if (length <= 0.0)
+            {
                 continue;
+            }
             if (result.violation == 0.0)
+            {
                 lastInvalid_ = i;
+            }
             result.violation += length;
             if (rival != nullptr && result.violation > rival->violation)
             {

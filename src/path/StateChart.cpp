@@ -94,10 +94,14 @@ namespace ompl_mfa::path
         Eigen::Vector3d logarithm(Eigen::Quaterniond q)
         {
             if (q.w() < 0.0)
+            {
                 q.coeffs() = -q.coeffs();
+            }
             const double sine = q.vec().norm();
             if (sine < 1e-12)
+            {
                 return q.vec();
+            }
             return q.vec() * (std::atan2(sine, q.w()) / sine);
         }
 
@@ -128,8 +132,10 @@ namespace ompl_mfa::path
         for (const auto &leaf : leaves_)
         {
             if (leaf.type != LeafType::RealVector)
+            {
                 rotationReach_.segment(leaf.offset - positions_, leaf.dimension)
                     .setConstant(leaf.scale * (leaf.type == LeafType::SO2 ? PI : 0.5 * PI));
+            }
         }
     }
 
@@ -148,11 +154,17 @@ namespace ompl_mfa::path
         }
         Leaf leaf{LeafType::RealVector, chain, static_cast<Eigen::Index>(space->getDimension()), 0, scale, nullptr};
         if (const auto *real = dynamic_cast<const ob::RealVectorStateSpace *>(space.get()))
+        {
             leaf.bounds = &real->getBounds();
+        }
         else if (dynamic_cast<const ob::SO2StateSpace *>(space.get()) != nullptr)
+        {
             leaf.type = LeafType::SO2;
+        }
         else if (dynamic_cast<const ob::SO3StateSpace *>(space.get()) != nullptr)
+        {
             leaf.type = LeafType::SO3;
+        }
         else
         {
             throw ompl::Exception("MFA", "cannot plan in the state space '" + nameOf(space) +
@@ -168,7 +180,9 @@ namespace ompl_mfa::path
         for (const auto &leaf : leaves_)
         {
             if (leaf.type != LeafType::RealVector)
+            {
                 break;
+            }
             bounds.insert(bounds.end(), leaf.bounds->low.begin(), leaf.bounds->low.end());
             bounds.insert(bounds.end(), leaf.bounds->high.begin(), leaf.bounds->high.end());
         }
@@ -178,14 +192,18 @@ namespace ompl_mfa::path
     const ob::State *StateChart::substate(const Leaf &leaf, const ob::State *state)
     {
         for (const std::size_t i : leaf.chain)
+        {
             state = state->as<ob::CompoundState>()->components[i];
+        }
         return state;
     }
 
     ob::State *StateChart::substate(const Leaf &leaf, ob::State *state)
     {
         for (const std::size_t i : leaf.chain)
+        {
             state = state->as<ob::CompoundState>()->components[i];
+        }
         return state;
     }
 
@@ -202,7 +220,9 @@ namespace ompl_mfa::path
                     const double *a = from->as<ob::RealVectorStateSpace::StateType>()->values;
                     const double *b = to->as<ob::RealVectorStateSpace::StateType>()->values;
                     for (Eigen::Index i = 0; i < leaf.dimension; ++i)
+                    {
                         delta[leaf.offset + i] = leaf.scale * (b[i] - a[i]);
+                    }
                     break;
                 }
                 case LeafType::SO2:
@@ -223,16 +243,22 @@ namespace ompl_mfa::path
         for (const auto &leaf : leaves_)
         {
             if (leaf.type != LeafType::RealVector)
+            {
                 break;
+            }
             const double *values = substate(leaf, base)->as<ob::RealVectorStateSpace::StateType>()->values;
             for (Eigen::Index i = 0; i < leaf.dimension; ++i)
             {
                 const double step = direction[leaf.offset + i] / leaf.scale;
                 const auto k = static_cast<std::size_t>(i);
                 if (step > 0.0)
+                {
                     reach = std::min(reach, std::max(0.0, leaf.bounds->high[k] - values[i]) / step);
+                }
                 else if (step < 0.0)
+                {
                     reach = std::min(reach, std::min(0.0, leaf.bounds->low[k] - values[i]) / step);
+                }
             }
         }
         return reach;
@@ -280,10 +306,14 @@ namespace ompl_mfa::path
         for (const auto &leaf : leaves_)
         {
             if (leaf.type != LeafType::RealVector)
+            {
                 break;
+            }
             const double *a = substate(leaf, state)->as<ob::RealVectorStateSpace::StateType>()->values;
             for (Eigen::Index i = 0; i < leaf.dimension; ++i)
+            {
                 values[leaf.offset + i] = leaf.scale * a[i];
+            }
         }
     }
 
@@ -292,14 +322,18 @@ namespace ompl_mfa::path
         for (const auto &leaf : leaves_)
         {
             if (leaf.type != LeafType::RealVector)
+            {
                 break;
+            }
             double *a = substate(leaf, state)->as<ob::RealVectorStateSpace::StateType>()->values;
             for (Eigen::Index i = 0; i < leaf.dimension; ++i)
             {
                 a[i] = values[leaf.offset + i] / leaf.scale;
                 const auto k = static_cast<std::size_t>(i);
                 if (a[i] < leaf.bounds->low[k] || a[i] > leaf.bounds->high[k])
+                {
                     return false;
+                }
             }
         }
         return true;
@@ -310,10 +344,14 @@ namespace ompl_mfa::path
         for (const auto &leaf : leaves_)
         {
             if (leaf.type != LeafType::RealVector)
+            {
                 break;
+            }
             double *a = substate(leaf, state)->as<ob::RealVectorStateSpace::StateType>()->values;
             for (std::size_t i = 0; i < leaf.bounds->low.size(); ++i)
+            {
                 a[i] = rng.uniformReal(leaf.bounds->low[i], leaf.bounds->high[i]);
+            }
         }
         sampleRotations(rng, state);
     }
@@ -324,7 +362,9 @@ namespace ompl_mfa::path
         {
             ob::State *to = substate(leaf, state);
             if (leaf.type == LeafType::SO2)
+            {
                 to->as<ob::SO2StateSpace::StateType>()->value = rng.uniformReal(-PI, PI);
+            }
             else if (leaf.type == LeafType::SO3)
             {
                 double q[4];

@@ -63,7 +63,9 @@ namespace ompl_mfa::path
     Waypoints &Waypoints::operator=(const Waypoints &other)
     {
         if (this == &other)
+        {
             return *this;
+        }
         if (space_ != other.space_)
         {
             freeStates();
@@ -71,7 +73,9 @@ namespace ompl_mfa::path
         }
         resize(other.size_);
         for (std::size_t i = 0; i < size_; ++i)
+        {
             space_->copyState(states_[i], other.states_[i]);
+        }
         return *this;
     }
 
@@ -91,7 +95,9 @@ namespace ompl_mfa::path
     void Waypoints::freeStates()
     {
         for (auto *state : states_)
+        {
             space_->freeState(state);
+        }
         states_.clear();
         size_ = 0;
     }
@@ -104,21 +110,27 @@ namespace ompl_mfa::path
     void Waypoints::appendTo(ompl::geometric::PathGeometric &path) const
     {
         for (std::size_t i = 0; i < size_; ++i)
+        {
             path.append(states_[i]);
+        }
     }
 
     double Waypoints::length() const
     {
         double sum = 0.0;
         for (std::size_t i = 1; i < size_; ++i)
+        {
             sum += space_->distance(states_[i - 1], states_[i]);
+        }
         return sum;
     }
 
     void Waypoints::resize(std::size_t size)
     {
         while (states_.size() < size)
+        {
             states_.push_back(space_->allocState());
+        }
         size_ = size;
     }
 

@@ -46,7 +46,9 @@ namespace ompl_mfa::path
         try
         {
             for (std::size_t i = 1; i < threads; ++i)
+            {
                 workers_.emplace_back([this, i] { work(i); });
+            }
         }
         catch (...)
         {
@@ -68,7 +70,9 @@ namespace ompl_mfa::path
         }
         begun_.notify_all();
         for (auto &worker : workers_)
+        {
             worker.join();
+        }
     }
 
     bool WorkerPool::run(std::size_t count, const Task &task)
@@ -83,14 +87,18 @@ namespace ompl_mfa::path
             all_ = true;
         }
         for (std::size_t i = 1; i < std::min(count, threads()); ++i)
+        {
             begun_.notify_one();
+        }
         takeTasks(0, task, count);
         std::unique_lock<std::mutex> lock(mutex_);
         // a worker that has not woken up by now is not waited for
         task_ = nullptr;
         left_.wait(lock, [this] { return active_ == 0; });
         if (error_)
+        {
             std::rethrow_exception(std::exchange(error_, nullptr));
+        }
         return all_;
     }
 
@@ -111,7 +119,9 @@ namespace ompl_mfa::path
         {
             const std::lock_guard<std::mutex> lock(mutex_);
             if (!error_)
+            {
                 error_ = std::current_exception();
+            }
             next_ = count;
         }
     }
@@ -124,7 +134,9 @@ namespace ompl_mfa::path
         {
             begun_.wait(lock, [&] { return ending_ || (task_ != nullptr && runs_ != seen); });
             if (ending_)
+            {
                 return;
+            }
             seen = runs_;
             ++active_;
             const Task &task = *task_;
@@ -133,7 +145,9 @@ namespace ompl_mfa::path
             takeTasks(thread, task, count);
             lock.lock();
             if (--active_ == 0)
+            {
                 left_.notify_one();
+            }
         }
     }
 }  // namespace ompl_mfa::path

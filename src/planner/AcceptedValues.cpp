@@ -54,7 +54,9 @@ namespace ompl_mfa::planner
         {
             std::string text;
             for (const auto &word : words)
+            {
                 text += (text.empty() ? "" : separator) + word;
+            }
             return text;
         }
 
@@ -64,7 +66,9 @@ namespace ompl_mfa::planner
         {
             std::string text = AcceptedValues<T>::write(value);
             if (std::is_floating_point_v<T> && text.find_first_of(".e") == std::string::npos)
+            {
                 text += ".0";
+            }
             return text;
         }
     }  // namespace
@@ -85,7 +89,9 @@ namespace ompl_mfa::planner
             // people write 100000, where the shortest text is 1e+05
             const double size = std::abs(value);
             if (value == 0.0 || (size >= 1e-4 && size < 1e15))
+            {
                 return {text.data(), std::to_chars(text.data(), end, value, std::chars_format::fixed).ptr};
+            }
         }
         return {text.data(), std::to_chars(text.data(), end, value).ptr};
     }
@@ -149,7 +155,9 @@ namespace ompl_mfa::planner
         const bool on = word == "1" || word == "t" || word == "true";
         const bool off = word == "0" || word == "f" || word == "false";
         if (on || off)
+        {
             value = on;
+        }
         return on || off;
     }
 

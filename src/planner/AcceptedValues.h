@@ -122,7 +122,9 @@ namespace ompl_mfa::planner
     void require(const AcceptedValues<T> &accepted, const std::string &name, const T &value)
     {
         if (!accepted.contains(value))
+        {
             throw ompl::Exception(name + " = " + accepted.write(value) + ": accepted is " + accepted.description());
+        }
     }
 }  // namespace ompl_mfa::planner
 

@@ -59,7 +59,9 @@ namespace ompl_mfa
         {
             const auto &space = planner.getSpaceInformation()->getStateSpace();
             if (std::isfinite(space->getMaximumExtent()))
+            {
                 return;
+            }
             throw ompl::Exception(planner.getName(), "cannot plan in the state space '" + space->getName() +
                                                          "': its bounds are infinite, or too large for a finite "
                                                          "distance");
@@ -87,9 +89,11 @@ namespace ompl_mfa
         addPlannerProgressProperty("iterations INTEGER", [this] { return std::to_string(iterations()); });
         addPlannerProgressProperty("evaluations INTEGER", [this] { return std::to_string(evaluations()); });
         for (std::size_t i = 0; i < engine::PART_NAMES.size(); ++i)
+        {
             addPlannerProgressProperty(
                 "share of " + std::string(engine::PART_NAMES[i]) + " REAL",
                 [this, i] { return ompl::toString(implementation_->progress.share(engine::PartKind(i))); });
+        }
     }
 
     void MFA::declareParameters()
@@ -104,7 +108,9 @@ namespace ompl_mfa
                 [&settings, member] { return settings.*member; }));
         };
         for (const auto &parameter : planner::mfaParameters())
+        {
             std::visit(declare, parameter);
+        }
     }
 
     void MFA::setup()
@@ -155,7 +161,9 @@ namespace ompl_mfa
         const auto status =
             search.engine->search(pis_, watched, [&] { search.publisher.publishIfDue(context, *this, search.lock); });
         if (status != ob::PlannerStatus::EXACT_SOLUTION)
+        {
             return status;
+        }
         return search.publisher.finish(context, *this, search.lock);
     }
 
@@ -163,7 +171,9 @@ namespace ompl_mfa
     {
         Implementation &search = *implementation_;
         if (search.engine && search.engine->canContinue(*pdef_, ptc))
+        {
             return;
+        }
         requireFiniteExtent(*this);
         if (search.engine)
         {
@@ -184,7 +194,9 @@ namespace ompl_mfa
         const planner::SearchLock::Reader lock(implementation_->lock);
         engine::SearchGraph graph(si_->getStateSpace());
         if (implementation_->engine)
+        {
             implementation_->engine->explain(graph);
+        }
         planner::exportTo(data, graph);
     }
 
@@ -193,7 +205,9 @@ namespace ompl_mfa
         const planner::SearchLock::Reader lock(implementation_->lock);
         std::vector<og::PathGeometric> paths;
         if (!implementation_->engine || implementation_->engine->swarms() == nullptr)
+        {
             return paths;
+        }
         for (const path::Waypoints &path : implementation_->engine->swarms()->currentPaths())
         {
             paths.emplace_back(si_);
@@ -208,9 +222,13 @@ namespace ompl_mfa
         std::vector<og::PathGeometric> paths;
         const engine::fireflies::Swarms *swarms = implementation_->engine ? implementation_->engine->swarms() : nullptr;
         if (swarms == nullptr || swarms->current() == nullptr)
+        {
             return paths;
+        }
         for (const path::Waypoints &ends : swarms->current()->frame().sliceEnds())
+        {
             paths.emplace_back(si_, ends[0], ends[1]);
+        }
         return paths;
     }
 
@@ -233,7 +251,9 @@ namespace ompl_mfa
     {
         std::map<std::string, double> shares;
         for (std::size_t i = 0; i < engine::PART_NAMES.size(); ++i)
+        {
             shares[engine::PART_NAMES[i]] = implementation_->progress.share(engine::PartKind(i));
+        }
         return shares;
     }
 }  // namespace ompl_mfa

@@ -48,7 +48,9 @@ namespace ompl_mfa
         {
             const auto *parameter = std::get_if<planner::MFAParameter<T>>(&any);
             if (parameter != nullptr && parameter->member == member)
+            {
                 planner::require(parameter->accepted, planner.getName() + ": " + parameter->name, value);
+            }
         }
         settings.*member = value;
     }

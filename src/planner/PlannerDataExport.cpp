@@ -52,7 +52,9 @@ namespace ompl_mfa::planner
             for (const ob::State *end : ends)
             {
                 if (space.equalStates(end, state))
+                {
                     return end;
+                }
             }
             ends.push_back(state);
             return state;
@@ -76,9 +78,13 @@ namespace ompl_mfa::planner
             data.addGoalVertex(ob::PlannerDataVertex(states[i]));
         }
         for (const ob::State *state : states)
+        {
             data.addVertex(ob::PlannerDataVertex(state));
+        }
         for (const auto &[from, to] : graph.edges)
+        {
             data.addEdge(ob::PlannerDataVertex(states[from]), ob::PlannerDataVertex(states[to]));
+        }
         data.decoupleFromPlanner();
     }
 }  // namespace ompl_mfa::planner

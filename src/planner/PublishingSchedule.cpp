@@ -58,21 +58,27 @@ namespace ompl_mfa::planner
     {
         // a finite cost after an infinite one, and the other way round for costs without a lower end
         if (!std::isfinite(cost_) || !std::isfinite(cost))
+        {
             return true;
+        }
         return std::abs(cost_ - cost) >= NOTABLE * std::abs(cost_);
     }
 
     bool PublishingSchedule::due(double cost, std::uint64_t work) const
     {
         if (!any_ || (notables_ < MAX_NOTABLES && notable(cost)))
+        {
             return true;
+        }
         return static_cast<double>(work) >= GROWTH * static_cast<double>(work_);
     }
 
     void PublishingSchedule::published(double cost, std::uint64_t work)
     {
         if (any_ && notable(cost))
+        {
             ++notables_;
+        }
         any_ = true;
         cost_ = cost;
         work_ = work;

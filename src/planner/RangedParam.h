@@ -87,8 +87,10 @@ namespace ompl_mfa::planner
             try
             {
                 if (!accepted_.read(trimmed(value), typed))
+                {
                     throw ompl::Exception(name_ + " = '" + value + "' is not of the right type; accepted is " +
                                           accepted_.description());
+                }
                 require(accepted_, name_, typed);
             }
             catch (const ompl::Exception &error)

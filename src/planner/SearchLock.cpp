@@ -56,7 +56,9 @@ namespace ompl_mfa::planner
       , waits_(lock.searching_ != std::this_thread::get_id())
     {
         if (!waits_)
+        {
             return;
+        }
         ++lock_.arrivals_;
         lock_.mutex_.lock();
     }
@@ -64,7 +66,9 @@ namespace ompl_mfa::planner
     SearchLock::Reader::~Reader()
     {
         if (!waits_)
+        {
             return;
+        }
         ++lock_.departures_;
         lock_.mutex_.unlock();
         lock_.served_.notify_all();
@@ -87,10 +91,14 @@ namespace ompl_mfa::planner
     {
         // departures_ may only be read by the thread that holds the mutex
         if (searching_ != std::this_thread::get_id())
+        {
             return;
+        }
         const std::uint64_t arrivals = arrivals_.load(std::memory_order_relaxed);
         if (arrivals == departures_)
+        {
             return;
+        }
         const Release release(*this);
         std::unique_lock<std::mutex> lock(mutex_);
         served_.wait(lock, [&] { return departures_ >= arrivals; });

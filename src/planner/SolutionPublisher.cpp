@@ -53,7 +53,9 @@ namespace ompl_mfa::planner
             std::any_of(solutions.begin(), solutions.end(),
                         [this](const ob::PlannerSolution &solution) { return solution.path_ == published_; });
         if (has)
+        {
             return;
+        }
         published_.reset();
         schedule_.reset();
     }
@@ -68,7 +70,9 @@ namespace ompl_mfa::planner
     {
         if (context.incumbent.hasPath() && !isPublished(context) &&
             schedule_.due(context.incumbent.cost(), context.evaluator().work()))
+        {
             publish(context, planner, lock);
+        }
     }
 
     void SolutionPublisher::publish(const engine::SearchContext &context, const ob::Planner &planner, SearchLock &lock)
@@ -86,7 +90,9 @@ namespace ompl_mfa::planner
         improvement_ = incumbent.improvements();
         const auto callback = pdef_->getIntermediateSolutionCallback();
         if (!callback)
+        {
             return;
+        }
         // the callback may wait for a thread that asks for planner data
         const SearchLock::Release release(lock);
         callback(&planner, incumbent.path().pointers(), cost);
@@ -99,11 +105,15 @@ namespace ompl_mfa::planner
         if (incumbent.hasPath())
         {
             if (!isPublished(context))
+            {
                 publish(context, planner, lock);
+            }
             return ob::PlannerStatus::EXACT_SOLUTION;
         }
         if (incumbent.partialPath().size() < 2)
+        {
             return ob::PlannerStatus::TIMEOUT;
+        }
         auto path = std::make_shared<og::PathGeometric>(context.spaceInformation());
         incumbent.partialPath().appendTo(*path);
         ob::PlannerSolution solution(path);

@@ -72,10 +72,14 @@ namespace ompl_mfa::text
         {
             if (!name.empty() && candidate.compare(0, name.size(), name) == 0 &&
                 (nearest.empty() || candidate.size() < nearest.size()))
+            {
                 nearest = candidate;
+            }
         }
         if (!nearest.empty())
+        {
             return nearest;
+        }
         // farther than this, the guess is rather a distraction
         std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
         for (const auto &candidate : known)
@@ -96,10 +100,14 @@ namespace ompl_mfa::text
         const std::string nearest = nearestName(name, known);
         std::string text = nearest.empty() ? ";" : "; did you mean '" + nearest + "'?";
         if (!nearest.empty() && known.size() > FEW)
+        {
             return text;
+        }
         text += " accepted:";
         for (std::size_t i = 0; i < known.size(); ++i)
+        {
             text += (i == 0 ? " " : ", ") + known[i];
+        }
         return text;
     }
 
@@ -112,6 +120,8 @@ namespace ompl_mfa::text
     void requireKnown(const std::string &kind, const std::string &name, const std::vector<std::string> &accepted)
     {
         if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
+        {
             throw InputError(describeUnknown(kind, name, accepted));
+        }
     }
 }  // namespace ompl_mfa::text

@@ -55,11 +55,15 @@ namespace ompl_mfa::text
     bool readNumber(std::string_view text, Number &number)
     {
         if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+        {
             text.remove_prefix(1);
+        }
         Number read{};
         const auto result = std::from_chars(text.data(), text.data() + text.size(), read);
         if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+        {
             return false;
+        }
         number = read;
         return true;
     }

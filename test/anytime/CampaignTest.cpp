@@ -117,7 +117,9 @@ namespace ompl_mfa::anytime
         EXPECT_EQ(run["clock"], "cpu");
         for (const char *field : {"status", "note", "solved", "valid", "cost", "wall", "cpu", "checks", "path_check",
                                   "path_checks", "looks", "longest_gap", "path", "improvements", "family"})
+        {
             EXPECT_TRUE(run.contains(field)) << field;
+        }
         ASSERT_FALSE(run["improvements"].empty());
         EXPECT_EQ(run["improvements"][0].size(), 4U);
     }

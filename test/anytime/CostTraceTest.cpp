@@ -80,7 +80,9 @@ namespace ompl_mfa::anytime
         {
             const double start = anytime::wallTime();
             while (log.count < count && anytime::wallTime() < start + 20.0)
+            {
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
             ASSERT_EQ(log.count, count);
         }
     }  // namespace

@@ -71,9 +71,11 @@ namespace ompl_mfa::anytime
                 for (int i = 0; i <= POINTS; ++i)
                 {
                     for (int j = 0; j <= POINTS; ++j)
+                    {
                         nearest = std::min(
                             nearest,
                             (along(joint, next, i, POINTS) - along(capsule.from, capsule.to, j, POINTS)).norm());
+                    }
                 }
                 joint = next;
             }
@@ -92,14 +94,20 @@ namespace ompl_mfa::anytime
         {
             std::vector<double> angles(7);
             for (double &value : angles)
+            {
                 value = angle(engine);
+            }
             Capsule capsule{{place(engine), place(engine)}, {place(engine), place(engine)}, 0.03};
             if (trial % 2 == 0)
+            {
                 capsule.to = capsule.from;
+            }
             const double clearance = sampledClearance(angles, capsule);
             // the spacing of the points is at most 0.023, and half of it is what a pair of points can miss at most
             if (clearance > 0.0 && clearance < 0.02)
+            {
                 continue;
+            }
             const bool isFree = anytime::armIsFree(angles.data(), 7, {capsule});
             EXPECT_EQ(isFree, clearance > 0.0) << "trial " << trial << ", clearance " << clearance;
             ++(isFree ? free : colliding);

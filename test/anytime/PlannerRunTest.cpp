@@ -149,7 +149,9 @@ namespace ompl_mfa::anytime
             {
                 campaign::startSolving(memory);
                 while (memory.phase == campaign::RunPhase::Solving)
+                {
                     ;
+                }
                 return {};
             });
         EXPECT_EQ(run["status"], "killed");

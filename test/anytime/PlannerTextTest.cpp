@@ -61,7 +61,9 @@ namespace ompl_mfa::anytime
         const Texts all = anytime::splitPlanners("mfa,peers");
         for (const char *name : {"mfa", "rrtstar", "informedrrtstar", "prmstar", "bitstar", "abitstar", "aitstar",
                                  "anytimepathshortening", "rrtconnect"})
+        {
             EXPECT_EQ(std::count(all.begin(), all.end(), name), 1) << name;
+        }
     }
 
     TEST(PlannerText, ParametersAreRead)

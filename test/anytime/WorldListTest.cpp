@@ -80,8 +80,10 @@ namespace ompl_mfa::anytime
             for (int iy = 0; iy <= N; ++iy)
             {
                 for (int ix = 0; ix <= N; ++ix)
+                {
                     free[at(ix, iy)] =
                         isFree(problem, {static_cast<double>(ix) / N, static_cast<double>(iy) / N}) ? 1 : 0;
+                }
             }
             const auto indexOf = [&](const ob::State *state)
             {
@@ -101,7 +103,9 @@ namespace ompl_mfa::anytime
                 const auto [length, index] = queue.top();
                 queue.pop();
                 if (length > distance[index])
+                {
                     continue;
+                }
                 const int ix = index % (N + 1);
                 const int iy = index / (N + 1);
                 for (int dy = -1; dy <= 1; ++dy)
@@ -109,7 +113,9 @@ namespace ompl_mfa::anytime
                     for (int dx = -1; dx <= 1; ++dx)
                     {
                         if (ix + dx < 0 || ix + dx > N || iy + dy < 0 || iy + dy > N || !free[at(ix + dx, iy + dy)])
+                        {
                             continue;
+                        }
                         const int next = at(ix + dx, iy + dy);
                         const double longer = length + std::hypot(dx, dy) / N;
                         if (longer < distance[next])
@@ -127,7 +133,9 @@ namespace ompl_mfa::anytime
         {
             std::vector<double> reals;
             for (std::size_t i = 0; i < bounds.low.size(); ++i)
+            {
                 reals.push_back(std::uniform_real_distribution<double>(bounds.low[i], bounds.high[i])(engine));
+            }
             return reals;
         }
     }  // namespace
@@ -208,7 +216,9 @@ namespace ompl_mfa::anytime
     TEST(WorldList, TheBestClassAmongCirclesIsNarrow)
     {
         for (const std::uint64_t seed : {3, 7, 8})
+        {
             EXPECT_GT(anytime::circleOptimum(seed, 0.004), 1.02 * anytime::circleOptimum(seed, 0.0)) << seed;
+        }
     }
 
     TEST(WorldList, StoredReferencesHoldInTheirWorlds)

@@ -185,7 +185,9 @@ namespace ompl_mfa::benchmark
                                                  "anytimepathshortening=\n");
             std::vector<std::string> names;
             for (const auto &spec : config.planners)
+            {
                 names.push_back(spec.name);
+            }
             EXPECT_EQ(names, (std::vector<std::string>{"PRM", "PRM-2", "PRM-3", "PRM-4", "AnytimePathShortening",
                                                        "AnytimePathShortening-2"}));
             EXPECT_EQ(

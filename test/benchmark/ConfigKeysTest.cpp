@@ -59,7 +59,9 @@ namespace ompl_mfa::benchmark
         void append(std::vector<Cells> &table, const std::vector<ConfigRow<Config>> &rows)
         {
             for (const auto &row : rows)
+            {
                 table.push_back({boost::algorithm::join(row.keys, ", "), row.accepted, row.fallback, row.meaning});
+            }
         }
 
         /* A cell as the program would print it: without markup, and without the mark of what OMPL.app does not have. */
@@ -84,7 +86,9 @@ namespace ompl_mfa::benchmark
             while (std::getline(in, line) && (table.empty() || !line.empty()))
             {
                 if (line.empty() || line.front() != '|')
+                {
                     continue;
+                }
                 const std::string inner = line.substr(1, line.size() - 2);
                 Cells cells;
                 boost::split(cells, inner, boost::is_any_of("|"));
@@ -92,7 +96,9 @@ namespace ompl_mfa::benchmark
                 table.push_back(cells);
             }
             if (table.size() < 2)
+            {
                 return {};
+            }
             EXPECT_EQ(table[0], (Cells{"key", "accepted", "default", "meaning"}));
             return {table.begin() + 2, table.end()};
         }
@@ -101,7 +107,9 @@ namespace ompl_mfa::benchmark
         {
             ASSERT_EQ(inDocs.size(), inCode.size());
             for (std::size_t i = 0; i < inDocs.size(); ++i)
+            {
                 EXPECT_EQ(inDocs[i], inCode[i]) << "row " << i + 1;
+            }
         }
 
         TEST(ConfigKeys, TheTableOfProblemIsTheDocumentedOne)
@@ -129,7 +137,9 @@ namespace ompl_mfa::benchmark
                 for (std::size_t i = 0; i < row.keys.size(); ++i)
                 {
                     if (paths.count(row.keys[i]) > 0)
+                    {
                         continue;
+                    }
                     Config config;
                     const std::string error = test::inputErrorOf(
                         [&] {
@@ -165,13 +175,17 @@ namespace ompl_mfa::benchmark
             {
                 for (const double place :
                      {pose->x, pose->y, pose->z, pose->axis[0], pose->axis[1], pose->axis[2], pose->theta})
+                {
                     EXPECT_EQ(place, value++);
+                }
             }
             ASSERT_TRUE(problem.volume);
             for (const auto *end : {problem.volume->min, problem.volume->max})
             {
                 for (int axis = 0; axis < 3; ++axis)
+                {
                     EXPECT_EQ(end[axis], value++);
+                }
             }
             EXPECT_FALSE(setValue(benchmark::problemRows(), "start.w", {"start.w", "1", "a.cfg:3"}, problem));
         }

@@ -60,7 +60,9 @@ namespace ompl_mfa::benchmark
     TEST(FileNames, RefusesWhatIsNoFile)
     {
         for (const std::string name : {"", ".", "..", "a/b", "/", "../a", "a\nb", "a\x7f"})
+        {
             EXPECT_FALSE(isFileName(name)) << name;
+        }
         EXPECT_FALSE(isFileName(std::string("a\0b", 3)));
         EXPECT_TRUE(isFileName(std::string(benchmark::LONGEST_NAME, 'n')));
         EXPECT_FALSE(isFileName(std::string(benchmark::LONGEST_NAME + 1, 'n')));
@@ -88,11 +90,15 @@ namespace ompl_mfa::benchmark
         EXPECT_EQ(writtenPath("/a", "o"), "/a");
         EXPECT_EQ(writtenPath("", "o"), "");
         for (const std::string path : {"~you", "~you/a", "a/~", "a/~/b", "/~", "~/~", "a\tb"})
+        {
             EXPECT_EQ(inputErrorOf([&] { writtenPath(path, "x.cfg:3"); }).rfind("x.cfg:3: ", 0), 0U) << path;
+        }
         unsetenv("HOME");
         EXPECT_NE(inputErrorOf([] { writtenPath("~/a", "o"); }).find("HOME"), std::string::npos);
         EXPECT_EQ(writtenPath("a", "o"), "a");
         if (before != nullptr)
+        {
             setenv("HOME", home.c_str(), 1);
+        }
     }
 }  // namespace ompl_mfa::benchmark

@@ -111,7 +111,9 @@ MFA.GAMMA = 0.25
                 setup->getPlanner()->params().getParams(parameters);
                 out << ' ' << setup->getStateSpace()->getLongestValidSegmentFraction();
                 for (const char *name : {"goal_bias", "population_size", "gamma"})
+                {
                     out << ' ' << parameters[name];
+                }
             }
             return out.str();
         }
@@ -176,7 +178,9 @@ MFA.GAMMA = 0.25
         void expectPlainNumbers(const LogProperties &properties)
         {
             for (const auto &[name, value] : properties)
+            {
                 EXPECT_EQ(value.find(','), std::string::npos) << name << " = " << value;
+            }
         }
     }  // namespace
 
@@ -194,7 +198,9 @@ MFA.GAMMA = 0.25
         const std::string expected = summary(parsed());
         const ForeignLibrary foreign;
         if (!foreign.isThere())
+        {
             GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
+        }
         EXPECT_EQ(inputErrorOf([] { summary(parsed()); }), "");
         EXPECT_EQ(summary(parsed()), expected);
     }
@@ -256,7 +262,9 @@ MFA.GAMMA = 0.25
         }
         const ForeignLibrary foreign;
         if (foreign.isThere())
+        {
             expectSame("library");
+        }
     }
 
     TEST_F(Locale, ALogKeepsTheFormatOfItsStream)
@@ -299,7 +307,9 @@ MFA.GAMMA = 0.25
         }
         const ForeignLibrary foreign;
         if (foreign.isThere())
+        {
             expectSame("library");
+        }
     }
 
     TEST_F(Locale, ARunThatIsMeasuredHereIsTheSame)
@@ -332,14 +342,18 @@ MFA.GAMMA = 0.25
         }
         const ForeignLibrary foreign;
         if (foreign.isThere())
+        {
             expectPlain("library");
+        }
     }
 
     TEST_F(Locale, PublishedCostsAreReadWhole)
     {
         const ForeignLibrary foreign;
         if (!foreign.isThere())
+        {
             GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
+        }
         class Publisher : public ompl::geometric::RRTConnect
         {
         public:

@@ -70,7 +70,9 @@ namespace ompl_mfa::benchmark
                 {
                     double squared = 0.0;
                     for (unsigned int i = 0; i < dimension; ++i)
+                    {
                         squared += std::pow(*space->getValueAddressAtIndex(state, i), 2);
+                    }
                     return squared >= radius * radius;
                 });
             si->setup();

@@ -132,7 +132,9 @@ namespace ompl_mfa::benchmark
                                      "bitrrt",     "prrt",       "psbl",
                                      "rlrt",       "birlrt",     "qrrt",
                                      "mfa",        "mfa_paper",  "fa_paper"})
+            {
                 EXPECT_TRUE(std::binary_search(names.begin(), names.end(), name)) << name;
+            }
         }
 
         bool solvesSquareWithWall(const std::string &name)
@@ -156,7 +158,9 @@ namespace ompl_mfa::benchmark
             planner->setProblemDefinition(pdef);
             planner->setup();
             for (int attempt = 0; attempt < 50 && !pdef->hasSolution(); ++attempt)
+            {
                 planner->solve(0.1);
+            }
             return pdef->hasSolution();
         }
 
@@ -168,7 +172,9 @@ namespace ompl_mfa::benchmark
                 const pid_t child = ::fork();
                 ASSERT_GE(child, 0);
                 if (child == 0)
+                {
                     ::_exit(solvesSquareWithWall(name) ? 0 : 1);
+                }
                 int status = 0;
                 ASSERT_EQ(::waitpid(child, &status, 0), child);
                 const bool mayAbort = name == "lazylbtrrt" || name == "aitstar";
@@ -261,12 +267,18 @@ namespace ompl_mfa::benchmark
             for (const auto &[type, key] : switches)
             {
                 for (const char *on : {"true", "True", "TRUE", "1", "yes", "on"})
+                {
                     EXPECT_EQ(valueOf(type, key, on), "1") << type << " " << on;
+                }
                 for (const char *off : {"false", "False", "FALSE", "0", "no", "off"})
+                {
                     EXPECT_EQ(valueOf(type, key, off), "0") << type << " " << off;
+                }
                 for (const char *wrong : {"2", "maybe", "-1", "1.0", ""})
+                {
                     EXPECT_EQ(errorOf(type, key, wrong), "a.cfg:10: " + key + " = " + wrong +
                                                              ": expected one of 0, 1, false, true, no, yes, off, on");
+                }
             }
         }
 
@@ -333,8 +345,12 @@ namespace ompl_mfa::benchmark
             const std::string number = "[0-9.]+(e[+-][0-9]+)?";
             const std::regex range(number + ":" + number + ":" + number + "|\\w+(,\\w+)+");
             for (const char *name : {"mfa", "mfa_paper", "fa_paper"})
+            {
                 for (const auto &parameter : benchmark::plannerParameters(name))
+                {
                     EXPECT_TRUE(std::regex_match(parameter.range, range)) << name << "." << parameter.name;
+                }
+            }
         }
 
         TEST(PlannerFactory, ThePapersPlannersAreNothingButTheSwarm)

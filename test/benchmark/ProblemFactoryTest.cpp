@@ -253,7 +253,9 @@ namespace ompl_mfa::benchmark
                                                      "problem.sampler = gausian: expected one of uniform, gaussian, "
                                                      "obstacle_based, max_clearance, bridge_test");
             for (const char *sampler : {"uniform", "gaussian", "obstacle_based", "max_clearance", "bridge_test"})
+            {
                 EXPECT_EQ(with(std::string("sampler = ") + sampler), "");
+            }
             EXPECT_EQ(with("standard_deviation = 1"),
                       at(13) +
                           "problem.standard_deviation = 1: the sampler 'uniform' has no such setting; gaussian and "
@@ -322,11 +324,15 @@ namespace ompl_mfa::benchmark
         {
             std::string mesh;
             for (const char *corner : {"2 2", "8 2", "8 8", "2 8"})
+            {
                 mesh += "v " + std::string(corner) + " -3\nv " + corner + " 3\n";
+            }
             const char *const faces[] = {"1 3 4", "1 4 2", "3 5 6", "3 6 4", "5 7 8", "5 8 6",
                                          "7 1 2", "7 2 8", "1 5 3", "1 7 5", "2 4 6", "2 6 8"};
             for (const char *face : faces)
+            {
                 mesh += std::string("f ") + face + "\n";
+            }
             write("box.obj", mesh);
             write("open.obj", mesh.substr(0, mesh.rfind("f ")));
             const auto inside = [this](const std::string &world, const std::string &line)
@@ -359,7 +365,9 @@ namespace ompl_mfa::benchmark
         TEST(OmplApp, EveryConfigMakesAProblemWithAllItsPlanners)
         {
             if (!fs::exists(omplapp()))
+            {
                 GTEST_SKIP() << omplapp() << " is not there";
+            }
             for (const char *name : {"2D/Barriers", "2D/RandomPolygons_planar", "3D/Easy", "3D/Twistycool",
                                      "3D/cubicles", "3D/cubicles_opt"})
             {
@@ -377,7 +385,9 @@ namespace ompl_mfa::benchmark
         TEST(OmplApp, PathsShippedWithTheProblemsAreValidInOurs)
         {
             if (!fs::exists(omplapp()))
+            {
                 GTEST_SKIP() << omplapp() << " is not there";
+            }
             for (const char *name :
                  {"2D/Barriers", "2D/RandomPolygons_planar", "3D/Easy", "3D/Twistycool", "3D/cubicles"})
             {

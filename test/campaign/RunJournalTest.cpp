@@ -165,7 +165,9 @@ namespace ompl_mfa::campaign
         const auto refuse = [](const Json &record, std::size_t)
         {
             if (record.at("run") == 4)
+            {
                 throw std::invalid_argument("not like this");
+            }
         };
         EXPECT_NE(errorOf(refuse).find(":3: not like this"), std::string::npos);
         EXPECT_NE(errorOf([](const Json &record, std::size_t) { record.at("cost"); }).find(":2: not a run: "),

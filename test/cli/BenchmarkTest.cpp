@@ -188,7 +188,9 @@ namespace ompl_mfa::cli
                     "rrtstar =\nrrtconnect =\n");
         EXPECT_EQ(runProgram("benchmark --quiet " + config()).status, 0);
         for (const char *planner : {"RRTstar", "RRTConnect"})
+        {
             EXPECT_EQ(readFile(folder_ + "/scene.geometric_" + planner + ".path").rfind("0.3 2.2", 0), 0u) << planner;
+        }
     }
 
     TEST_F(Benchmark, NamesOfTheConfigStayInTheFolder)
@@ -198,22 +200,32 @@ namespace ompl_mfa::cli
             writeConfig("run_count = 1\niteration_limit = 400\n", "rrtconnect =\n");
             std::string text = readFile(config());
             if (key == "name")
+            {
                 text.replace(text.find("name = scene"), 12, "name = " + value);
+            }
             else
+            {
                 text.replace(text.find("run_count"), 0, key + " = " + value + "\n");
+            }
             std::ofstream(folder_ + "/in/scene.cfg") << text;
             expectBadInput("benchmark --quiet " + folder_ + "/in/scene.cfg", {"scene.cfg:", key + " = "});
         };
         std::filesystem::create_directories(folder_ + "/in/sub");
         for (const std::string name : {"../scene", "/tmp/ompl_mfa_scene", "sub/scene", "sub/../../scene", ".", "..",
                                        "a\tb", "a\x1b[2Jb", "a\x7f"})
+        {
             expectRefused("name", name);
+        }
         expectRefused("name", std::string(300, 'n'));
         for (const std::string output : {"~nobody", "a/~", "~/~/b", "a\tb", "~nobody/a"})
+        {
             expectRefused("output", output);
+        }
         std::size_t files = 0;
         for (const auto &entry : std::filesystem::recursive_directory_iterator(folder_))
+        {
             files += entry.is_regular_file() ? 1 : 0;
+        }
         EXPECT_EQ(files, 2U) << "only scene.cfg and in/scene.cfg";
     }
 
@@ -249,7 +261,9 @@ namespace ompl_mfa::cli
         expectBadInput("benchmark --quiet --output='~/a/d.log' " + config(), {"--output", "~/a/d.log", "HOME"});
         setenv("HOME", home.c_str(), 1);
         if (before == nullptr)
+        {
             unsetenv("HOME");
+        }
     }
 
     TEST_F(Benchmark, SavesPathsOfPlannersWhateverTheirNames)

@@ -161,7 +161,9 @@ namespace ompl_mfa::cli
         EXPECT_EQ(warning.rfind("warning: ", 0), 0U) << warning;
         EXPECT_EQ(warning.find('\n'), warning.size() - 1) << warning;
         for (const char *words : {"a.cfg:2: problem.world = high.yaml", "z = -0.5 to 0.5", "2 to 3"})
+        {
             EXPECT_NE(warning.find(words), std::string::npos) << warning;
+        }
         // a mesh that has a floor and a ceiling, and nothing between them
         write("gap.obj", "v 0 0 -2\nv 9 0 -2\nv 9 9 -2\nv 0 0 4\nv 9 0 4\nv 9 9 4\nf 1 2 3\nf 4 5 6\n");
         EXPECT_NE(warningOf("world = gap.obj\n").find("gap.obj"), std::string::npos);
@@ -282,7 +284,9 @@ namespace ompl_mfa::cli
              std::filesystem::directory_iterator(std::filesystem::path(OMPL_MFA_SOURCE_DIR) / "benchmarks" / "configs"))
         {
             if (entry.path().extension() != ".cfg")
+            {
                 continue;
+            }
             const ProgramResult result = runProgram("check '" + entry.path().string() + "' --json");
             EXPECT_EQ(result.status, 0) << result.err;
             EXPECT_FALSE(nlohmann::json::parse(result.out)["straight_motion"]["free"]) << entry.path();
@@ -294,9 +298,10 @@ namespace ompl_mfa::cli
     TEST(CheckConfigs, WorldsAreWhatTheirScriptWrites)
     {
         const std::filesystem::path worlds = std::filesystem::path(OMPL_MFA_SOURCE_DIR) / "benchmarks" / "worlds";
-        if (std::system("python3 --version >/dev/null 2>&1") !=
-            0)  // NOLINT(bugprone-command-processor): a fixed command
+        if (std::system("python3 --version >/dev/null 2>&1") != 0)
+        {  // NOLINT(bugprone-command-processor): a fixed command
             GTEST_SKIP() << "python3 is not there";
+        }
         const std::filesystem::path copy = temporaryFile("worlds");
         std::filesystem::create_directories(copy);
         std::filesystem::copy(worlds / "make_worlds.py", copy);

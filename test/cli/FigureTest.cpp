@@ -161,7 +161,9 @@ namespace ompl_mfa::cli
         const std::regex curve("C [0-9.]+ [0-9.]+ [0-9.]+ [0-9.]+ ([0-9.]+) ([0-9.]+)");
         int curves = 0;
         for (std::sregex_iterator at(path.begin(), path.end(), curve), end; at != end; ++at, ++curves)
+        {
             EXPECT_NEAR(std::hypot(std::stod((*at)[1]) - 302, std::stod((*at)[2]) - 156), 48, 0.02) << at->str();
+        }
         EXPECT_GE(curves, 4) << path;
         EXPECT_TRUE(contains(picture, "M 305 156 C")) << picture;
     }
@@ -207,7 +209,9 @@ namespace ompl_mfa::cli
         const auto all = words(figure);
         for (const std::string text : {"&lt;", "second", "east", "north", "(m)", "0", "0.5", "1.5", "-0.2", "0.2",
                                        "obstacle", "start", "slices"})
+        {
             EXPECT_TRUE(hasWord(all, text)) << text;
+        }
         EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const auto &word) { return word.text == "start"; }), 1);
         expectReadable(all, "two plots");
     }
@@ -236,7 +240,9 @@ namespace ompl_mfa::cli
                     "x (world units)", "y (world units)", range.first, range.second);
                 for (const char *legend :
                      {"obstacles", "slices", "the swarm's paths", "robot", "best path", "start", "goal"})
+                {
                     axes.addPolygon({range.first}, {}, legend);
+                }
                 figure.addAxes(axes);
             }
             std::ostringstream which;
@@ -253,7 +259,9 @@ namespace ompl_mfa::cli
         figure.addAxes(Axes("title", "x", "y", {1234567.0, 0.0}, {1234570.0, 3.0}));
         const auto all = words(figure);
         for (const std::string text : {"1234567", "1234568", "1234569", "1234570"})
+        {
             EXPECT_TRUE(hasWord(all, text)) << text;
+        }
     }
 
     TEST(Figure, CutsWhatIsMuchLargerThanThePicture)
@@ -271,7 +279,9 @@ namespace ompl_mfa::cli
         const std::regex number("-?[0-9.]+");
         const std::string paths = std::regex_replace(picture, std::regex("[^>]* d=\"([^\"]*)\""), "$1");
         for (std::sregex_iterator at(paths.begin(), paths.end(), number), end; at != end; ++at)
+        {
             EXPECT_LE(std::abs(std::strtod(at->str().c_str(), nullptr)), 2000.0);
+        }
     }
 
     TEST(Figure, TextMayHoldAnyBytes)
@@ -281,7 +291,9 @@ namespace ompl_mfa::cli
                             {0.0, 0.0}, {1.0, 1.0}));
         const auto all = words(figure);
         for (const std::string text : {"gr\xC3\xBC\xC3\x9F", "one", "two", "three", "four"})
+        {
             EXPECT_TRUE(hasWord(all, text)) << text;
+        }
     }
 
     TEST(Figure, TheExtensionIsTheFormat)
@@ -300,7 +312,9 @@ namespace ompl_mfa::cli
             catch (const InputError &error)
             {
                 for (const char *word : {file, ".svg, .png or .pdf"})
+                {
                     EXPECT_TRUE(contains(error.what(), word)) << error.what();
+                }
             }
         }
         Figure figure;

@@ -135,7 +135,9 @@ namespace ompl_mfa::cli
         EXPECT_NE(expected.find("--time -1234567.5: "), std::string::npos) << expected.substr(expected.size() - 600);
         EXPECT_NE(expected.find("alpha = 1234.5 "), std::string::npos);
         for (const char *refused : {"--time 0,5: ", "--grace 0,5: ", "--gamma 1,5: "})
+        {
             EXPECT_NE(expected.find(refused), std::string::npos) << expected.substr(expected.size() - 600);
+        }
         const test::ForeignStreams foreign;
         EXPECT_EQ(everything(), expected);
     }
@@ -145,7 +147,9 @@ namespace ompl_mfa::cli
         const std::string expected = everything();
         const test::ForeignLibrary foreign;
         if (!foreign.isThere())
+        {
             GTEST_SKIP() << "there is no locale de_DE.UTF-8, and it cannot be compiled";
+        }
         EXPECT_EQ(everything(), expected);
     }
 

@@ -94,7 +94,9 @@ namespace ompl_mfa::cli
         const ProgramResult result = runProgram("optimize --runs 2 --population 20 --generations 5");
         EXPECT_EQ(result.status, 0);
         for (const std::string word : {"algorithm", "share near optimum", "\nfa ", "\nmfa "})
+        {
             EXPECT_NE(result.out.find(word), std::string::npos) << word;
+        }
     }
 
     TEST(Optimize, DrawsAPanelForEachAlgorithm)
@@ -106,7 +108,9 @@ namespace ompl_mfa::cli
         const std::string fill = "fill:rgb(94.901961%,55.686275%,16.862745%)";
         std::size_t circles = 0;
         for (std::size_t at = svg.find(fill); at != std::string::npos; at = svg.find(fill, at + 1))
+        {
             ++circles;
+        }
         EXPECT_GE(circles, 200U) << "every firefly of both algorithms";
         const std::string pdf = temporaryFile("populations.pdf");
         EXPECT_EQ(runProgram("optimize --runs 3 --picture '" + pdf + "'").status, 0);
@@ -114,7 +118,9 @@ namespace ompl_mfa::cli
         std::remove(pdf.c_str());
         for (const std::string word :
              {"FA on sinc: ", "MFA on sinc: ", "fireflies at the end", "near the global optimum"})
+        {
             EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+        }
     }
 
     TEST(Optimize, RefusesWhatItCannotUse)

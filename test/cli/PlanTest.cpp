@@ -59,7 +59,9 @@ namespace ompl_mfa::cli
             std::vector<Point> points;
             std::ifstream in(file);
             for (Point point; in >> point.first >> point.second;)
+            {
                 points.push_back(point);
+            }
             return points;
         }
 
@@ -67,7 +69,9 @@ namespace ompl_mfa::cli
         {
             double sum = 0.0;
             for (std::size_t i = 1; i < points.size(); ++i)
+            {
                 sum += std::hypot(points[i].first - points[i - 1].first, points[i].second - points[i - 1].second);
+            }
             return sum;
         }
 
@@ -115,7 +119,9 @@ namespace ompl_mfa::cli
         EXPECT_EQ(points.back(), Point(9.0, 3.0));
         EXPECT_NEAR(length(points), document["cost"].get<double>(), 1e-9);
         for (const auto &point : points)
+        {
             EXPECT_GE(distanceToWall(point), 0.5 - 1e-6);
+        }
     }
 
     TEST_F(Plan, DrawsTheProblemAndItsPath)
@@ -124,12 +130,16 @@ namespace ompl_mfa::cli
         std::string text = pdfText(path("out.pdf"));
         for (const std::string word : {"a, MFA, cost 9.6", "obstacles", "best path", "robot", "start", "goal",
                                        "x (world units)", "y (world units)"})
+        {
             EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+        }
         // the paper's swarm and its slices are there to the end; those of windows come and go
         ASSERT_EQ(runProgram("plan " + config() + " --planner mfa_paper --picture " + path("out.pdf")).status, 0);
         text = pdfText(path("out.pdf"));
         for (const std::string word : {"slices", "the swarm's paths"})
+        {
             EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+        }
     }
 
     TEST_F(Plan, DrawsStartAndGoalOfAPointInTheLegendToo)
@@ -138,7 +148,9 @@ namespace ompl_mfa::cli
         runProgram("plan '" + file + "' --planner rrtconnect --time 5 --picture " + path("out.pdf"));
         const std::string text = pdfText(path("out.pdf"));
         for (const std::string word : {"start", "goal", "obstacles", "best path"})
+        {
             EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+        }
         EXPECT_EQ(text.find("robot"), std::string::npos) << text;
     }
 
@@ -146,7 +158,9 @@ namespace ompl_mfa::cli
     {
         const std::string command = "plan " + config() + " --planner mfa_paper --iterations 2000 --time 60 --picture ";
         for (const char *name : {"a.svg", "b.svg", "a.PNG", "b.PNG", "a.pdf", "b.pdf"})
+        {
             ASSERT_EQ(runProgram(command + path(name)).status, 0) << name;
+        }
         const std::string svg = readFile(path("a.svg"));
         EXPECT_EQ(svg.rfind("<?xml", 0), 0U);
         // the wall from (4.5, 1) to (5.5, 5) in axes of 48 pixels a unit from (62, 36)
@@ -171,7 +185,9 @@ namespace ompl_mfa::cli
         runProgram("plan '" + file + "' --planner rrtconnect --time 5 --picture " + path("out.pdf"));
         const std::string text = pdfText(path("out.pdf"));
         for (const std::string word : {", from above", ", from the side", "z (world units)"})
+        {
             EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+        }
     }
 
     TEST_F(Plan, PlansThePapersScene)
@@ -195,7 +211,9 @@ namespace ompl_mfa::cli
         EXPECT_EQ(result.err, "");
         for (const std::string word :
              {"status                   Exact solution", "cost ", "time to first solution ", "states ", "evaluations "})
+        {
             EXPECT_NE(result.out.find(word), std::string::npos) << word;
+        }
     }
 
     TEST_F(Plan, RepeatsUnderAnIterationLimit)
@@ -255,12 +273,16 @@ namespace ompl_mfa::cli
         expectBadInput("plan " + file + " --parameter population_size", {"NAME=VALUE"});
         expectBadInput("plan " + file + " --seed 0", {"seed"});
         for (const char *time : {"-1", "0", "nan", "inf", "1e10", "x"})
+        {
             expectBadInput("plan " + file + " --time " + time, {"--time"});
+        }
         expectBadInput("plan " + file + " --picture /no/such/folder/a.svg --time 1000", {"/no/such/folder/a.svg"});
         std::filesystem::create_directory(path("folder.svg"));
         expectBadInput("plan " + file + " --picture " + path("folder.svg") + " --time 1000", {"folder.svg:"});
         for (const char *name : {"a.jpg", "a", "a.svg.gz"})
+        {
             expectBadInput("plan " + file + " --picture " + path(name) + " --time 1000", {name, ".svg, .png or .pdf"});
+        }
         // it can be opened, but not be written to
         std::filesystem::create_symlink("/dev/full", path("full.png"));
         expectBadInput("plan " + file + " --picture " + path("full.png") + " --planner rrtconnect", {"full.png"});

@@ -55,11 +55,17 @@ namespace ompl_mfa::cli
         {
             names.insert(planner["name"].get<std::string>());
             for (const auto &parameter : planner["parameters"])
+            {
                 for (const char *key : {"name", "type", "range", "default"})
+                {
                     EXPECT_TRUE(parameter.contains(key)) << planner["name"] << " " << key;
+                }
+            }
         }
         for (const char *name : {"mfa", "mfa_paper", "fa_paper", "aps", "informedrrtstar", "rrtconnect"})
+        {
             EXPECT_EQ(names.count(name), 1U) << name;
+        }
     }
 
     TEST(Planners, ListsOnlyThoseThatAreAskedFor)

@@ -90,7 +90,9 @@ inline void expectBadInput(const std::string &arguments, const std::vector<std::
     EXPECT_EQ(result.err.rfind("ompl_mfa: ", 0), 0U) << result.err;
     EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
     for (const auto &word : words)
+    {
         EXPECT_NE(result.err.find(word), std::string::npos) << "'" << word << "' is not in: " << result.err;
+    }
 }
 
 #endif

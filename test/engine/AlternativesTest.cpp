@@ -86,7 +86,9 @@ namespace ompl_mfa::engine
         TEST_F(AlternativesTest, ThreeAreKeptAndTheOldestMakesRoom)
         {
             for (const double y : {0.5, 1.0, 1.5})
+            {
                 add(y);
+            }
             EXPECT_EQ(kept(), (std::set<double>{0.5, 1.0, 1.5}));
             add(2.0);
             EXPECT_EQ(kept(), (std::set<double>{1.0, 1.5, 2.0}));

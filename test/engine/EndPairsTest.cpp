@@ -111,7 +111,9 @@ namespace ompl_mfa::engine
             ASSERT_EQ(growing.query().starts().size(), 2U);
             std::set<Pair> further;
             while (const auto pair = pairs.next(growing.query()))
+            {
                 EXPECT_TRUE(further.insert(*pair).second);
+            }
             EXPECT_EQ(further, (std::set<Pair>{{0, 1}, {1, 0}, {1, 1}}));
         }
 
@@ -138,24 +140,36 @@ namespace ompl_mfa::engine
             for (const int step : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 6)))
             {
                 if (step == 0)
+                {
                     growing.addStart();
+                }
                 else if (step == 1)
+                {
                     growing.addGoal();
+                }
                 else if (const auto pair = pairs.next(growing.query()))
                 {
                     if (step == 2)
+                    {
                         pairs.putBack();
+                    }
                     else
+                    {
                         returned.insert(*pair);
+                    }
                 }
             }
             while (const auto pair = pairs.next(growing.query()))
+            {
                 returned.insert(*pair);
+            }
             std::multiset<Pair> all;
             for (std::size_t i = 0; i < growing.query().starts().size(); ++i)
             {
                 for (std::size_t j = 0; j < growing.query().goals().size(); ++j)
+                {
                     all.emplace(i, j);
+                }
             }
             RC_ASSERT(returned == all);
         }

@@ -111,7 +111,9 @@ namespace ompl_mfa::engine
             {
                 std::vector<double> result;
                 for (std::size_t i = 0; i < PART_NAMES.size(); ++i)
+                {
                     result.push_back(progress.share(PartKind(i)));
+                }
                 return result;
             }
 
@@ -154,7 +156,9 @@ namespace ompl_mfa::engine
                 for (std::size_t i = 1; i < path.size(); ++i)
                 {
                     if (!problem_->si->checkMotion(path[i - 1], path[i]))
+                    {
                         return false;
+                    }
                 }
                 return problem_->si->equalStates(path.front(), problem_->pdef->getStartState(0)) &&
                        problem_->pdef->getGoal()->isSatisfied(path.back());
@@ -344,8 +348,10 @@ namespace ompl_mfa::engine
             {
                 bool known = false;
                 for (const auto &[from, to] : graph.edges)
+                {
                     known = known || (problem_->si->equalStates(graph.states[from], path[i - 1]) &&
                                       problem_->si->equalStates(graph.states[to], path[i]));
+                }
                 EXPECT_TRUE(known) << i;
             }
         }

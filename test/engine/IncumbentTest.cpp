@@ -64,7 +64,9 @@ namespace ompl_mfa::engine
             {
                 path_.resize(3);
                 for (std::size_t i = 0; i < 3; ++i)
+                {
                     path_[i]->as<ob::RealVectorStateSpace::StateType>()->values[0] = static_cast<double>(i);
+                }
             }
 
             ob::StateSpacePtr space_ = test::realVectorSpace(1);

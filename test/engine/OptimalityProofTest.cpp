@@ -102,7 +102,9 @@ namespace ompl_mfa::engine
             {
                 path::Waypoints path(problem_->si->getStateSpace());
                 for (const auto &values : states)
+                {
                     path.append(problem_->state(values).get());
+                }
                 ASSERT_TRUE(search.context.incumbent.offer(path, search.evaluator().cost(path).value()));
             }
 
@@ -110,7 +112,9 @@ namespace ompl_mfa::engine
             {
                 const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
                 for (const auto &values : states)
+                {
                     goals->addState(problem_->state(values));
+                }
                 problem_->pdef->setGoal(goals);
             }
 

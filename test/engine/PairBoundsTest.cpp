@@ -139,16 +139,22 @@ namespace ompl_mfa::engine
         TEST_F(PairBoundsTest, AskForEachPairOnce)
         {
             for (int i = 0; i < 30; ++i)
+            {
                 append(starts_, i);
+            }
             for (int j = 0; j < 1000; ++j)
+            {
                 append(goals_, j);
+            }
             for (int turn = 0; turn < 1000; ++turn)
             {
                 const std::uint64_t before = objective_->asked;
                 pairs_.update(starts_, goals_);
                 EXPECT_LE(objective_->asked - before, 2100U);
                 for (std::size_t j = 0; j < goals_.size(); ++j)
+                {
                     pairs_.goalCanBeat(j, -5000.0);
+                }
             }
             EXPECT_EQ(objective_->asked, 30000U);
             EXPECT_TRUE(pairs_.isBest(970.0 - 9990.0, starts_, goals_));

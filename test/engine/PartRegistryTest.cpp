@@ -70,7 +70,9 @@ namespace ompl_mfa::engine
         {
             Kinds result;
             for (const auto &part : list.parts)
+            {
                 result.push_back(part->kind());
+            }
             return result;
         }
 
@@ -213,15 +215,21 @@ namespace ompl_mfa::engine
                 const bool hasGuest = (k & 32U) != 0;
                 const bool searchesGoals = (k & 64U) != 0;
                 if (!settings.fireflies && settings.guide == "none" && !hasGuest)
+                {
                     continue;
+                }
                 problem_ = test::wallProblem();
                 if (searchesGoals)
+                {
                     setDistanceGoal();
+                }
                 Kinds expected;
                 const auto expect = [&expected](bool there, PartKind kind)
                 {
                     if (there)
+                    {
                         expected.push_back(kind);
+                    }
                 };
                 const bool both = settings.guide == "both";
                 expect(settings.fireflies, PartKind::Fireflies);
@@ -264,7 +272,9 @@ namespace ompl_mfa::engine
         {
             const PartList list = make({}, guest);
             for (const auto &part : list.parts)
+            {
                 EXPECT_EQ(part->readiness(), Readiness::Idle) << PART_NAMES[static_cast<std::size_t>(part->kind())];
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa::engine

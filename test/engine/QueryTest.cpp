@@ -124,20 +124,26 @@ namespace ompl_mfa::engine
         {
             const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
             for (const double y : {1.0, 2.0, 1.0})
+            {
                 goals->addState(problem_->state({9.0, y}));
+            }
             pdef_->setGoal(goals);
             ask();
             for (int i = 0; i < 20; ++i)
             {
                 const auto next = std::make_shared<ob::ProblemDefinition>(problem_->si);
                 for (const double x : {1.0, 2.0, 1.0})
+                {
                     next->addStartState(problem_->state({x, 1.0}));
+                }
                 next->setGoal(goals);
                 ASSERT_FALSE(query_.differsFrom(*next));
                 inputs_.use(next);
                 ASSERT_EQ(begin(), ob::PlannerStatus::EXACT_SOLUTION);
                 for (int k = 0; k < 5; ++k)
+                {
                     query_.poll(inputs_);
+                }
                 EXPECT_EQ(query_.starts().size(), 2U);
                 EXPECT_EQ(query_.goals().size(), 2U);
                 EXPECT_TRUE(query_.goalsComplete());
@@ -148,23 +154,33 @@ namespace ompl_mfa::engine
         {
             const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
             for (const double y : {1.0, 2.0, 3.0})
+            {
                 goals->addState(problem_->state({9.0, y}));
+            }
             pdef_->addStartState(problem_->state({2.0, 1.0}));
             pdef_->setGoal(goals);
             beginAgain();
             for (int k = 0; k < 5; ++k)
+            {
                 query_.poll(inputs_);
+            }
             ASSERT_EQ(query_.goals().size(), 3U);
             goals->clear();
             for (const double y : {3.0, 1.0, 2.0})
+            {
                 goals->addState(problem_->state({9.0, y}));
+            }
             pdef_->clearStartStates();
             for (const double x : {2.0, 1.0})
+            {
                 pdef_->addStartState(problem_->state({x, 1.0}));
+            }
             EXPECT_FALSE(query_.differsFrom(*pdef_));
             goals->clear();
             for (const double y : {3.0, 1.0})
+            {
                 goals->addState(problem_->state({9.0, y}));
+            }
             EXPECT_TRUE(query_.differsFrom(*pdef_));
         }
 
@@ -172,7 +188,9 @@ namespace ompl_mfa::engine
         {
             const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
             for (const double x : {5.0, 11.0, 9.0})
+            {
                 goals->addState(problem_->state({x, 1.0}));
+            }
             pdef_->setGoal(goals);
             beginAgain();
             query_.poll(inputs_);
@@ -233,7 +251,9 @@ namespace ompl_mfa::engine
                 pdef_->setGoal(region);
                 beginAgain();
                 for (int k = 0; k < 1000; ++k)
+                {
                     query_.poll(inputs_);
+                }
                 EXPECT_EQ(query_.goals().size(), points);
                 EXPECT_GT(region->samples, points);
                 EXPECT_LT(region->samples, 100U) << "sampled ever more rarely";
@@ -266,13 +286,17 @@ namespace ompl_mfa::engine
         {
             const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
             for (const double y : {1.0, 2.0, 3.0})
+            {
                 goals->addState(problem_->state({9.0, y}));
+            }
             pdef_->setGoal(goals);
             ask();
             begin();
             EXPECT_FALSE(query_.goalsComplete());
             for (int i = 0; i < 5; ++i)
+            {
                 query_.poll(inputs_);
+            }
             EXPECT_EQ(query_.goals().size(), 3U);
             EXPECT_TRUE(query_.goalsComplete());
             goals->addState(problem_->state({9.0, 4.0}));
@@ -317,7 +341,9 @@ namespace ompl_mfa::engine
             beginAgain();
             int taken = 0;
             for (; !query_.hasEnoughGoals() && taken < 10000; ++taken)
+            {
                 ASSERT_TRUE(query_.addGoal(problem_->state({9.0, 2.0 + 0.0005 * taken}).get()));
+            }
             EXPECT_GE(taken, 1000);
             EXPECT_LT(taken, 10000);
         }

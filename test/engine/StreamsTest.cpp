@@ -82,8 +82,10 @@ namespace ompl_mfa::engine
                         const std::uint64_t seed = streamSeed(run, stream, index);
                         expectNew(seed, name(run, stream, index));
                         for (std::uint64_t epoch = 0; epoch < 4; ++epoch)
+                        {
                             expectNew(streamSeed(seed, Stream::Epoch, epoch),
                                       name(run, stream, index) + ", epoch " + std::to_string(epoch));
+                        }
                         expectNew(streamSeed(seed, Stream::Recombination),
                                   name(run, stream, index) + ", recombination");
                     }
@@ -103,7 +105,9 @@ namespace ompl_mfa::engine
                 [&states](const ob::State *state)
                 {
                     if (test::coordinate(state, 1) != 1.0)
+                    {
                         states.emplace(test::coordinate(state, 0), test::coordinate(state, 1));
+                    }
                     return test::coordinate(state, 0) <= 4.5 || test::coordinate(state, 0) >= 5.5;
                 },
                 {1.0, 1.0}, {9.0, 1.0});
@@ -125,7 +129,9 @@ namespace ompl_mfa::engine
                     const std::set<Point> states = statesOfARun(guide, seed);
                     EXPECT_GT(states.size(), 300U);
                     for (const Point &state : states)
+                    {
                         common += seen.insert(state).second ? 0 : 1;
+                    }
                     EXPECT_EQ(common, 0U) << guide << " of seed " << seed;
                 }
             }

@@ -72,7 +72,9 @@ namespace ompl_mfa::engine
             ob::ScopedState<> state(problem_.si);
             state = std::vector<double>{1.0, 2.0};
             for (unsigned int i = 0; i < 20; ++i)
+            {
                 evaluator_.checkState(state.get());
+            }
             EXPECT_GE(meter.spent(), 0.02);
         }
 
@@ -84,7 +86,9 @@ namespace ompl_mfa::engine
             EXPECT_GT(meter.spent(), 0.0);
             EXPECT_LT(meter.spent(), 1e-5);
             for (unsigned int i = 0; i < 4; ++i)
+            {
                 evaluator_.checkState(state.get());
+            }
             EXPECT_NEAR(meter.spent(), 12.0, 1e-5);
             evaluator_.addWork(1000000);
             EXPECT_NEAR(meter.spent(), 12.1, 1e-5);

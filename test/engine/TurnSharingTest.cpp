@@ -83,7 +83,9 @@ namespace ompl_mfa::engine
         {
             TurnSharing sharing;
             for (int i = 0; i < 3; ++i)
+            {
                 sharing.add({0.3, 0.1, 0.0});
+            }
             const auto taken = turns(sharing, 1000, {0.0, 0.0, 1.0});
             EXPECT_GT(taken[2], 2 * taken[0]);
             EXPECT_GT(taken[0], 100);
@@ -95,7 +97,9 @@ namespace ompl_mfa::engine
         {
             TurnSharing sharing;
             for (int i = 0; i < 3; ++i)
+            {
                 sharing.add({0.3, 0.1, 0.0});
+            }
             turns(sharing, 200, {1.0, 0.0, 0.0});
             const auto taken = turns(sharing, 500, {0.0, 1.0, 0.0});
             EXPECT_GT(taken[1], 2 * taken[0]);
@@ -117,7 +121,9 @@ namespace ompl_mfa::engine
         {
             TurnSharing sharing;
             for (int i = 0; i < 3; ++i)
+            {
                 sharing.add({0.3, 0.1, 0.0});
+            }
             turns(sharing, 300, {0.0, 0.0, 0.0}, {Readiness::Ready, Readiness::Ready, Readiness::Idle});
             const auto taken = turns(sharing, 30, {0.0, 0.0, 0.0});
             EXPECT_NEAR(taken[2], 10, 1);
@@ -127,7 +133,9 @@ namespace ompl_mfa::engine
         {
             TurnSharing sharing;
             for (int i = 0; i < 3; ++i)
+            {
                 sharing.add({0.3, 0.1, 0.0});
+            }
             const auto first =
                 turns(sharing, 30, {0.0, 0.0, 0.0}, {Readiness::Ready, Readiness::Ready, Readiness::Waiting});
             EXPECT_EQ(first[2], 0);
@@ -139,7 +147,9 @@ namespace ompl_mfa::engine
         {
             TurnSharing sharing;
             for (int i = 0; i < 3; ++i)
+            {
                 sharing.add({0.3, 0.1, 0.0});
+            }
             EXPECT_EQ(sharing.next({Readiness::Idle, Readiness::Waiting, Readiness::Idle}), 1U);
             EXPECT_EQ(sharing.next({Readiness::Idle, Readiness::Waiting, Readiness::Ready}), 2U);
             EXPECT_EQ(sharing.next(Ready(3, Readiness::Idle)), std::nullopt);
@@ -151,7 +161,9 @@ namespace ompl_mfa::engine
         {
             TurnSharing sharing;
             for (int i = 0; i < 3; ++i)
+            {
                 sharing.add({0.3, 0.1, 0.0});
+            }
             std::array<int, 3> taken{};
             for (int i = 0; i < 1000; ++i)
             {
@@ -168,10 +180,14 @@ namespace ompl_mfa::engine
         {
             TurnSharing sharing;
             for (int i = 0; i < 3; ++i)
+            {
                 sharing.add({0.3, 0.1, 0.0});
+            }
             sharing.record(0, 1.0, {0.0, 1.0, 0.0});
             for (std::size_t i = 0; i < 3; ++i)
+            {
                 EXPECT_DOUBLE_EQ(sharing.share(i), 1.0 / 3.0);
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa::engine

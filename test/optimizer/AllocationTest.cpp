@@ -60,7 +60,9 @@ namespace
 {
     ++allocations;
     if (void *memory = std::malloc(size))
+    {
         return memory;
+    }
     throw std::bad_alloc();
 }
 
@@ -103,7 +105,9 @@ TEST(FireflyOptimizerAllocation, AGenerationAllocatesNothing)
         allocations = 0;
         Eigen::internal::set_is_malloc_allowed(false);
         for (int generation = 0; generation < 20; ++generation)
+        {
             optimizer.step(sphere, never);
+        }
         optimizer.inject(origin, {0.0, 0.0}, sphere);
         optimizer.restartEpoch();
         optimizer.step(sphere, never);

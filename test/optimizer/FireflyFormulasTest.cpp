@@ -84,7 +84,9 @@ namespace ompl_mfa
                     for (unsigned int i = 0; i < 12; ++i)
                     {
                         for (unsigned int k = 0; k < 3; ++k)
+                        {
                             ASSERT_NEAR(optimizer.population()(k, i), oracle.points[i][k], 1e-9) << "generation " << t;
+                        }
                         ASSERT_NEAR(optimizer.brightness(i).cost, oracle.costs[i], 1e-7);
                     }
                     ASSERT_NEAR(optimizer.bestBrightness().cost, oracle.bestCost, 1e-7);
@@ -158,7 +160,9 @@ namespace ompl_mfa
                 }
             }
             for (const double square : squares)
+            {
                 EXPECT_NEAR(square, 1.0 / 12.0, 0.004);
+            }
         }
 
         TEST(FireflyFormulas, EquallyBrightFirefliesMoveAtRandomExceptTheFirst)
@@ -188,7 +192,9 @@ namespace ompl_mfa
             FireflyOptimizer optimizer(settings, lower, upper, 12);
             // Narrow around a far point, so that no trial is clamped.
             for (int i = 0; i < 8; ++i)
+            {
                 optimizer.inject(Eigen::Vector4d(10.0 + i, 20.0 + i * i, 30.0 - i * i * i / 64.0, 7.0 * std::sin(i)));
+            }
             Recorder flat([](const std::vector<double> &) { return 1.0; });
             optimizer.step(flat, never);
             const Eigen::MatrixXd x = optimizer.population();
@@ -238,7 +244,9 @@ namespace ompl_mfa
             }
             EXPECT_GT(both, 4U);
             for (std::size_t k = 0; k < flat.hadRival.size(); ++k)
+            {
                 EXPECT_EQ(flat.hadRival[k], k >= 7) << "only trial vectors have a rival";
+            }
         }
 
         TEST(FireflyFormulas, DrawsFourDistinctFireflies)
@@ -253,7 +261,9 @@ namespace ompl_mfa
             settings.trialVectors = {{false, false, false, true, false}};
             FireflyOptimizer optimizer(settings, constant(SIZE, -10.0), constant(SIZE, 10.0), 5);
             for (unsigned int i = 0; i < SIZE; ++i)
+            {
                 optimizer.inject(Eigen::VectorXd::Unit(SIZE, i));
+            }
             Recorder flat([](const std::vector<double> &) { return 1.0; });
             optimizer.step(flat, never);
             unsigned int readable = 0;
@@ -268,20 +278,26 @@ namespace ompl_mfa
                     const Eigen::VectorXd &trial = flat.points[k];
                     // where best and worst are among the four drawn, their weights cannot be told apart
                     if (trial[0] != -trial[SIZE - 1])
+                    {
                         continue;
+                    }
                     ++readable;
                     const auto inner = trial.segment(1, SIZE - 2).array();
                     EXPECT_EQ((inner != 0.0).count(), 4);
                     EXPECT_EQ((inner == 1.0).count(), 1) << "F_n1 keeps its whole weight";
                     for (unsigned int i = 1; i + 1 < SIZE; ++i)
+                    {
                         timesFirst[i] += trial[i] == 1.0 ? 1 : 0;
+                    }
                 }
             }
             // neither is drawn in 10 * 9 * 8 * 7 of 12 * 11 * 10 * 9 cases, and then each of ten is as often n1
             const double expected = SIZE * GENERATIONS * 14.0 / 33.0;
             EXPECT_NEAR(readable, expected, 0.1 * expected);
             for (unsigned int i = 1; i + 1 < SIZE; ++i)
+            {
                 EXPECT_NEAR(timesFirst[i], 0.1 * expected, 0.05 * expected) << "F_" << i;
+            }
         }
 
         TEST(FireflyFormulas, SchedulesEndWhereEquations13And14Say)
@@ -295,7 +311,9 @@ namespace ompl_mfa
             EXPECT_NEAR(optimizer.alpha(), 0.2 * std::pow(1.0 / 20.0, 0.1), 1e-15);
             EXPECT_NEAR(optimizer.beta0(), 0.9, 1e-15);
             for (int t = 1; t < 10; ++t)
+            {
                 optimizer.step(objective, never);
+            }
             EXPECT_NEAR(optimizer.alpha(), 0.2 / 20.0, 1e-15);
             EXPECT_NEAR(optimizer.beta0(), 0.0, 1e-15);
 
@@ -320,7 +338,9 @@ namespace ompl_mfa
                 Recorder objective;
                 EXPECT_DOUBLE_EQ(optimizer.alpha(), 0.2);
                 for (int t = 0; t <= 10; ++t)
+                {
                     optimizer.step(objective, never);
+                }
                 EXPECT_NEAR(optimizer.alpha(), end.second, 1e-15);
                 EXPECT_EQ(optimizer.beta0(), 1.0);
             }
@@ -330,7 +350,9 @@ namespace ompl_mfa
             auto optimizer = makeOptimizer(settings);
             Recorder objective;
             for (int t = 0; t <= 10; ++t)
+            {
                 optimizer.step(objective, never);
+            }
             EXPECT_EQ(optimizer.alpha(), 0.2);
             EXPECT_EQ(optimizer.beta0(), 1.0);
         }

@@ -82,7 +82,9 @@ namespace ompl_mfa
             } objective;
             FireflyOptimizer optimizer(small(Variant::MFA, 20, 30), constant(1, -10.0), constant(1, 10.0), 4);
             for (int t = 0; t <= 60; ++t)
+            {
                 optimizer.step(objective, never);
+            }
             EXPECT_TRUE(optimizer.bestBrightness().isFeasible());
             EXPECT_NEAR(optimizer.best()[0], 1.0, 1e-2);
             EXPECT_LE(optimizer.best()[0], 1.0);
@@ -104,7 +106,9 @@ namespace ompl_mfa
             } objective;
             FireflyOptimizer optimizer(small(Variant::MFA, 20, 30), constant(2, -3.0), constant(2, 10.0), 4);
             for (int t = 0; t <= 30; ++t)
+            {
                 optimizer.step(objective, never);
+            }
             EXPECT_LT(optimizer.best().norm(), 0.05);
         }
 
@@ -113,7 +117,9 @@ namespace ompl_mfa
             Recorder objective([](const std::vector<double> &x) { return x[0] > 0.0 ? std::nan("") : x[0] * x[0]; });
             auto optimizer = makeOptimizer(small(Variant::MFA, 20, 30));
             for (int t = 0; t <= 30; ++t)
+            {
                 optimizer.step(objective, never);
+            }
             EXPECT_TRUE(optimizer.bestBrightness().isFeasible());
             EXPECT_LT(optimizer.bestBrightness().cost, 1e-2);
         }
@@ -171,16 +177,22 @@ namespace ompl_mfa
                 const auto isBest = [&]
                 {
                     for (unsigned int i = 0; i < 12; ++i)
+                    {
                         EXPECT_FALSE(objective.isBrighter(optimizer.brightness(i), optimizer.bestBrightness()));
+                    }
                 };
                 isBest();
                 ASSERT_TRUE(optimizer.step(objective, never));
                 isBest();
                 for (unsigned int rank = 1; rank < 12; ++rank)
+                {
                     EXPECT_FALSE(objective.isBrighter(optimizer.brightness(optimizer.order()[rank]),
                                                       optimizer.brightness(optimizer.order()[rank - 1])));
+                }
                 for (int t = 0; t < 20; ++t)
+                {
                     optimizer.step(objective, never);
+                }
                 EXPECT_NEAR(optimizer.best()[0], 6.0, 0.1) << "the swarm follows the new order";
             }
         }

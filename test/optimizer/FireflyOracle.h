@@ -74,11 +74,15 @@ public:
         {
             Point x;
             for (std::size_t k = 0; k < lower_.size(); ++k)
+            {
                 x.push_back(lower_[k] + (upper_[k] - lower_[k]) * uniform());
+            }
             points.push_back(x);
         }
         for (const auto &x : points)
+        {
             costs.push_back(evaluate(x));
+        }
     }
 
     void generation(unsigned int t)
@@ -89,7 +93,9 @@ public:
         const double beta0 = parameters_.mfa ? parameters_.eta - t / m : parameters_.eta;
         moves(alpha, beta0);
         if (parameters_.mfa)
+        {
             trials();
+        }
     }
 
     std::vector<Point> points;
@@ -118,7 +124,9 @@ private:
     {
         std::vector<unsigned int> order;
         for (unsigned int i = 0; i < parameters_.size; ++i)
+        {
             order.push_back(i);
+        }
         std::stable_sort(order.begin(), order.end(),
                          [this](unsigned int a, unsigned int b) { return costs[a] < costs[b]; });
         return order;
@@ -127,7 +135,9 @@ private:
     void clamp(Point &x) const
     {
         for (std::size_t k = 0; k < x.size(); ++k)
+        {
             x[k] = std::max(lower_[k], std::min(upper_[k], x[k]));
+        }
     }
 
     void moves(double alpha, double beta0)
@@ -140,27 +150,37 @@ private:
             if (costs[order[rank]] == costs[order.front()])
             {
                 for (std::size_t k = 0; k < x.size(); ++k)
+                {
                     x[k] += alpha * (upper_[k] - lower_[k]) * (uniform() - 0.5);
+                }
                 clamp(x);
             }
             for (unsigned int brighter = rank; brighter > 0; --brighter)
             {
                 const Point &other = before[order[brighter - 1]];
                 if (!(costs[order[brighter - 1]] < costs[order[rank]]))
+                {
                     continue;
+                }
                 double squared = 0.0;
                 for (std::size_t k = 0; k < x.size(); ++k)
+                {
                     squared += std::pow(10 * (x[k] - other[k]) / (upper_[k] - lower_[k]), 2);
+                }
                 const double beta = beta0 * std::exp(-parameters_.gamma * squared);
                 for (std::size_t k = 0; k < x.size(); ++k)
+                {
                     x[k] += beta * (other[k] - x[k]) + alpha * (upper_[k] - lower_[k]) * (uniform() - 0.5);
+                }
                 clamp(x);
             }
         }
         for (unsigned int i = 0; i < parameters_.size; ++i)
         {
             if (i != order.front())
+            {
                 costs[i] = evaluate(points[i]);
+            }
         }
     }
 
@@ -173,7 +193,9 @@ private:
             {
                 clamp(trial);
                 if (trial == points[i])
+                {
                     continue;
+                }
                 const double cost = evaluate(trial);
                 if (cost < costs[i])
                 {
@@ -191,7 +213,9 @@ private:
         {
             const auto drawn = static_cast<unsigned int>(std::floor(uniform() * parameters_.size));
             if (std::count(n.begin(), n.end(), drawn) == 0)
+            {
                 n.push_back(drawn);
+            }
         }
         const Point &worst = points[worstIndex];
         const double l1 = uniform();
@@ -220,7 +244,9 @@ private:
         const double delta = uniform();
         const double psi = uniform();
         for (std::size_t j = 0; j < lower_.size(); ++j)
+        {
             trials[4].push_back(delta * worst[j] + psi * (best[j] - worst[j]));
+        }
         return trials;
     }
 

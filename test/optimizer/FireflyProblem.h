@@ -62,7 +62,9 @@ namespace ompl_mfa::test
     {
         double cost = 0.0;
         for (std::size_t k = 0; k < x.size(); ++k)
+        {
             cost += std::pow(x[k] - 1.3 * static_cast<double>(k + 1), 2) + 2.0 * std::cos(5.0 * x[k]);
+        }
         return cost;
     }
 
@@ -83,7 +85,9 @@ namespace ompl_mfa::test
             hadRival.push_back(rival != nullptr);
             const Brightness brightness{0.0, cost_({x.data(), x.data() + x.size()})};
             if (rival != nullptr && !isBrighter(brightness, *rival))
+            {
                 return {};
+            }
             return brightness;
         }
 

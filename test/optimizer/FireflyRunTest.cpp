@@ -61,7 +61,9 @@ namespace ompl_mfa
         {
             EXPECT_TRUE(a.population() == b.population());
             for (unsigned int i = 0; i < a.settings().populationSize; ++i)
+            {
                 EXPECT_EQ(a.brightness(i).cost, b.brightness(i).cost);
+            }
             EXPECT_TRUE(a.best() == b.best());
             EXPECT_EQ(a.bestBrightness().cost, b.bestBrightness().cost);
             EXPECT_EQ(a.evaluations(), b.evaluations());
@@ -78,7 +80,9 @@ namespace ompl_mfa
             auto optimizer = makeOptimizer(small(Variant::MFA, 10, 5));
             Recorder objective;
             for (int t = 0; t <= 5; ++t)
+            {
                 optimizer.step(objective, never);
+            }
             const double before = optimizer.bestBrightness().cost;
             const double brightestCost = optimizer.brightness(optimizer.brightestIndex()).cost;
             optimizer.step(objective, never);
@@ -109,7 +113,9 @@ namespace ompl_mfa
             Recorder objective;
             Recorder same;
             for (int t = 0; t < 6; ++t)
+            {
                 whole.step(objective, never);
+            }
             for (int t = 0; t < 6; ++t)
             {
                 // Every evaluation is its own call.
@@ -123,7 +129,9 @@ namespace ompl_mfa
             expectSame(whole, interrupted);
             ASSERT_EQ(objective.points.size(), same.points.size());
             for (std::size_t k = 0; k < same.points.size(); ++k)
+            {
                 EXPECT_TRUE(objective.points[k] == same.points[k]);
+            }
         }
 
         TEST(FireflyRun, AsksStopBeforeEveryEvaluation)
@@ -132,7 +140,9 @@ namespace ompl_mfa
             Recorder objective;
             std::uint64_t asked = 0;
             for (int t = 0; t < 5; ++t)
+            {
                 optimizer.step(objective, [&asked] { return ++asked, false; });
+            }
             EXPECT_EQ(asked, optimizer.evaluations());
             EXPECT_EQ(asked, objective.points.size());
         }
@@ -167,14 +177,18 @@ namespace ompl_mfa
             {
                 whole.step(objective, never);
                 while (!interrupted.step(same, std::ref(stop)))
+                {
                     ++interruptions;
+                }
                 expectSame(whole, interrupted);
                 EXPECT_EQ(whole.order(), interrupted.order());
             }
             EXPECT_GT(interruptions, interrupted.evaluations() + 5 * 150 * 149 / 2 * 40 / 5000);
             ASSERT_EQ(objective.points.size(), same.points.size());
             for (std::size_t k = 0; k < same.points.size(); ++k)
+            {
                 ASSERT_TRUE(objective.points[k] == same.points[k]);
+            }
         }
 
         /* How often stop is asked before the first evaluation, between each two and after the last of a step, as the
@@ -196,9 +210,13 @@ namespace ompl_mfa
                 [&](const std::vector<double> &x)
                 {
                     if (any)
+                    {
                         questions.between = std::max(questions.between, asked - last);
+                    }
                     else
+                    {
                         questions.beforeTheFirst = asked;
+                    }
                     any = true;
                     last = asked;
                     return bumpyCost(x);
@@ -264,7 +282,9 @@ namespace ompl_mfa
             const Eigen::MatrixXd initial = optimizer.population();
             ASSERT_EQ(objective.points.size(), 12U);
             for (unsigned int i = 0; i < 12; ++i)
+            {
                 EXPECT_TRUE(objective.points[i] == initial.col(i));
+            }
             double lowest = INFINITY;
             for (unsigned int i = 0; i < 12; ++i)
             {
@@ -302,7 +322,9 @@ namespace ompl_mfa
             auto optimizer = makeOptimizer(settings);
             Recorder objective([](const std::vector<double> &x) { return x[0] + x[1] - x[2]; });
             for (int t = 0; t < 20; ++t)
+            {
                 optimizer.step(objective, never);
+            }
             for (const auto &x : objective.points)
             {
                 ASSERT_TRUE((x.array() >= optimizer.lower().array()).all());
@@ -348,9 +370,13 @@ namespace ompl_mfa
                     optimizer.step(objective, never);
                     const auto spent = optimizer.evaluations() - before;
                     if (variant == Variant::FA)
+                    {
                         EXPECT_EQ(spent, 11U);
+                    }
                     else
+                    {
                         EXPECT_LE(spent, 11U + 60U);
+                    }
                 }
             }
         }
@@ -364,7 +390,9 @@ namespace ompl_mfa
             auto optimizer = makeOptimizer(settings);
             Recorder objective;
             for (int t = 0; t <= 4; ++t)
+            {
                 optimizer.step(objective, never);
+            }
             EXPECT_EQ(optimizer.evaluations(), 12U + 4U * 11U);
         }
 
@@ -375,7 +403,9 @@ namespace ompl_mfa
                 FireflyOptimizer optimizer(small(variant), Eigen::Vector2d(-1.0, 7.0), Eigen::Vector2d(1.0, 7.0), 2);
                 Recorder objective;
                 for (int t = 0; t <= 10; ++t)
+                {
                     optimizer.step(objective, never);
+                }
                 EXPECT_TRUE((optimizer.population().row(1).array() == 7.0).all());
                 EXPECT_TRUE(optimizer.population().allFinite());
             }
@@ -395,7 +425,9 @@ namespace ompl_mfa
             {
                 FireflyOptimizer optimizer({}, constant(2, -5.0), constant(2, 5.0), seed);
                 for (int t = 0; t <= 50; ++t)
+                {
                     optimizer.step(objective, never);
+                }
                 near.push_back(static_cast<int>((optimizer.population().colwise().norm().array() <= 0.5).count()));
             }
             std::sort(near.begin(), near.end());

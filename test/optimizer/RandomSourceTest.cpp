@@ -78,7 +78,9 @@ namespace ompl_mfa::optimizer
         // The C++ standard fixes the 10000th output of a default-seeded mt19937_64 at 9981545732273789042.
         RandomSource random(5489U);
         for (int i = 1; i < 10000; ++i)
+        {
             random.uniform();
+        }
         EXPECT_EQ(random.uniform(), static_cast<double>(9981545732273789042ULL >> 11U) / 9007199254740992.0);
     }
 
@@ -99,6 +101,8 @@ namespace ompl_mfa::optimizer
         }
         EXPECT_NEAR(sum / 70000, 0.5, 0.01);
         for (const int count : counts)
+        {
             EXPECT_NEAR(count, 10000, 500);
+        }
     }
 }  // namespace ompl_mfa::optimizer

@@ -71,11 +71,15 @@ namespace ompl_mfa::oracle
                 const auto turn = pose["orientation"].as<std::vector<double>>();
                 const Point centre(position.at(0), position.at(1));
                 if (turn.at(0) != 0.0 || turn.at(1) != 0.0 || position.at(2) != 0.0)
+                {
                     throw std::invalid_argument("paper_scene.yaml: obstacles must stand upright at z = 0");
+                }
                 const auto type = primitive["type"].as<std::string>();
                 const double angle = 2.0 * std::atan2(turn.at(2), turn.at(3));
                 if (type != "cylinder" && type != "box")
+                {
                     throw std::invalid_argument("paper_scene.yaml: unexpected type " + type);
+                }
                 scene.obstacles.push_back(type == "box" ? rectangle(centre, {size.at(0), size.at(1)}, angle)
                                                         : disc(centre, size.at(1)));
             }
@@ -86,7 +90,9 @@ namespace ompl_mfa::oracle
         {
             Point sum = Point::Zero();
             for (const Point &vertex : obstacle.vertices)
+            {
                 sum += vertex;
+            }
             return sum / static_cast<double>(obstacle.vertices.size());
         }
     }  // namespace
@@ -105,7 +111,9 @@ namespace ompl_mfa::oracle
         const ShortestPath best = shortestPath(readScene(), START, GOAL);
         const Point axis = (GOAL - START).normalized();
         for (std::size_t i = 1; i < best.path.size(); ++i)
+        {
             EXPECT_GT((best.path[i] - best.path[i - 1]).dot(axis), 0.0);
+        }
     }
 
     TEST(PaperScene, HasSeveralHomotopyClassesNearTheOptimum)
@@ -128,7 +136,9 @@ namespace ompl_mfa::oracle
                 const bool isNew = std::none_of(classes.begin(), classes.end(),
                                                 [&](double other) { return std::abs(other - length) < 1e-4; });
                 if (isNew && length < 1.05 * optimum)
+                {
                     classes.push_back(length);
+                }
             }
         }
         EXPECT_GE(classes.size(), 6u);

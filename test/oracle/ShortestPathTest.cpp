@@ -53,7 +53,9 @@ namespace ompl_mfa::oracle
         {
             double length = 0.0;
             for (std::size_t i = 1; i < path.size(); ++i)
+            {
                 length += (path[i] - path[i - 1]).norm();
+            }
             return length;
         }
 
@@ -71,8 +73,10 @@ namespace ompl_mfa::oracle
             Obstacle polygon;
             const double reach = circumscribed ? radius / std::cos(M_PI / sides) : radius;
             for (int k = 0; k < sides; ++k)
+            {
                 polygon.vertices.push_back(
                     centre + reach * Point(std::cos(2.0 * M_PI * k / sides), std::sin(2.0 * M_PI * k / sides)));
+            }
             return polygon;
         }
 
@@ -87,7 +91,9 @@ namespace ompl_mfa::oracle
             {
                 const Point d = p - centre;
                 if (size.y() == 0.0)
+                {
                     return d.norm() - size.x();
+                }
                 const Point local(std::cos(angle) * d.x() + std::sin(angle) * d.y(),
                                   -std::sin(angle) * d.x() + std::cos(angle) * d.y());
                 return (local.cwiseAbs() - 0.5 * size).cwiseMax(0.0).norm();
@@ -108,9 +114,13 @@ namespace ompl_mfa::oracle
                 const double length = size(random);
                 const double width = size(random);
                 if (k % 2 == 0)
+                {
                     shapes.push_back({{x, y}, {0.6 * length, 0.0}, 0.0});
+                }
                 else
+                {
                     shapes.push_back({{x, y}, {length, width}, angle(random)});
+                }
             }
             return shapes;
         }
@@ -125,8 +135,12 @@ namespace ompl_mfa::oracle
         {
             const int pieces = 1 + static_cast<int>((q - p).norm() / 0.01);
             for (int k = 0; k <= pieces; ++k)
+            {
                 if (!isFree(shapes, p + (q - p) * k / pieces, clearance))
+                {
                     return false;
+                }
+            }
             return true;
         }
 
@@ -148,7 +162,9 @@ namespace ompl_mfa::oracle
                 const auto [reached, cell] = open.top();
                 open.pop();
                 if (reached > cost[cell])
+                {
                     continue;
+                }
                 const int row = cell / SIDE;
                 const int column = cell % SIDE;
                 for (const auto &move : moves)
@@ -156,7 +172,9 @@ namespace ompl_mfa::oracle
                     const int toRow = row + move[0];
                     const int toColumn = column + move[1];
                     if (toRow < 0 || toColumn < 0 || toRow >= SIDE || toColumn >= SIDE)
+                    {
                         continue;
+                    }
                     const int to = toRow * SIDE + toColumn;
                     const double length = CELL * std::hypot(move[0], move[1]);
                     if (reached + length < cost[to] &&
@@ -302,14 +320,18 @@ namespace ompl_mfa::oracle
             scene.lower = {0.0, 0.0};
             scene.upper = {20.0, 20.0};
             for (const Shape &shape : shapes)
+            {
                 scene.obstacles.push_back(shape.size.y() == 0.0 ? disc(shape.centre, shape.size.x())
                                                                 : rectangle(shape.centre, shape.size, shape.angle));
+            }
             const ShortestPath best = shortestPath(scene, {0.4, 0.4}, {19.6, 19.6});
             ASSERT_TRUE(std::isfinite(best.length));
             EXPECT_GE(lengthOf(best.path), best.length - 1e-9);
             EXPECT_LT(lengthOf(best.path), best.length * (1.0 + 4e-5));
             for (std::size_t i = 1; i < best.path.size(); ++i)
+            {
                 EXPECT_TRUE(isFree(shapes, best.path[i - 1], best.path[i], scene.robotRadius - 1e-3));
+            }
             /* The grid's moves cost 2.8% in open space; the rest is what it leaves to obstacles on the way. */
             const double grid = gridLength(shapes, scene.robotRadius, 4, 196);
             EXPECT_LE(best.length, grid);

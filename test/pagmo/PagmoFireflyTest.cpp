@@ -73,7 +73,9 @@ TEST(PagmoFirefly, ImprovesAPopulation)
         EXPECT_LT(after.champion_f()[0], before.champion_f()[0]);
         const auto &problem = after.get_problem();
         for (std::size_t i = 0; i < after.size(); ++i)
+        {
             EXPECT_EQ(problem.fitness(after.get_x()[i]), after.get_f()[i]) << "each point has its own fitness";
+        }
     }
 }
 
@@ -165,7 +167,9 @@ TEST(PagmoFirefly, WorksInAnArchipelago)
     islands.evolve(5);
     islands.wait_check();
     for (const auto &champion : islands.get_champions_f())
+    {
         EXPECT_LT(champion[0], 10.0);
+    }
 }
 
 TEST(PagmoFirefly, TellsWhatItIs)

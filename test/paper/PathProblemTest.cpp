@@ -56,7 +56,9 @@ namespace ompl_mfa::paper
         {
             auto scenes = paperScenes(OMPL_MFA_SOURCE_DIR "/benchmarks/worlds/paper_scene.yaml");
             for (const auto &scene : seededScenes(20))
+            {
                 scenes.push_back(scene);
+            }
             return scenes;
         }
 
@@ -65,7 +67,9 @@ namespace ompl_mfa::paper
         {
             const auto &v = obstacle.vertices;
             if (v.size() == 1)
+            {
                 return (point - v[0]).norm();
+            }
             double nearest = INFINITY;
             bool isInside = true;
             for (std::size_t i = 0; i < v.size(); ++i)
@@ -84,7 +88,9 @@ namespace ompl_mfa::paper
             for (const auto &obstacle : world.obstacles)
             {
                 if (distanceTo(obstacle, point) < obstacle.radius + world.robotRadius)
+                {
                     return true;
+                }
             }
             return false;
         }
@@ -103,7 +109,9 @@ namespace ompl_mfa::paper
                 const Point to(20.0 * random.uniform(), 20.0 * random.uniform());
                 int inside = 0;
                 for (int i = 0; i < SAMPLES; ++i)
+                {
                     inside += collides(scene.world, from + (i + 0.5) / SAMPLES * (to - from)) ? 1 : 0;
+                }
                 const double length = (to - from).norm();
                 EXPECT_NEAR(collision.invalidLength(from, to), length * inside / SAMPLES, 20.0 * length / SAMPLES);
                 EXPECT_EQ(collision.isValid(from), !collides(scene.world, from));
@@ -136,7 +144,9 @@ namespace ompl_mfa::paper
         const auto frame = engine::fireflies::SliceFrame::straight(chart, start.get(), goal.get(), 7);
         ASSERT_EQ(frame.dimension(), problem.lower().size());
         for (Eigen::Index k = 0; k < 6; ++k)
+        {
             EXPECT_NEAR(frame.upper()[k] - frame.lower()[k], problem.upper()[k] - problem.lower()[k], 1e-9);
+        }
     }
 
     TEST(PathProblem, NeverBeatsTheExactOptimum)
@@ -154,7 +164,9 @@ namespace ompl_mfa::paper
                 const Points path = problem.path(run.x);
                 double length = 0.0;
                 for (std::size_t i = 1; i < path.size(); ++i)
+                {
                     length += (path[i] - path[i - 1]).norm();
+                }
                 EXPECT_NEAR(length, run.best.cost, 1e-9);
             }
         }
@@ -170,12 +182,16 @@ namespace ompl_mfa::paper
         {
             Eigen::VectorXd x(6);
             for (Eigen::Index k = 0; k < 6; ++k)
+            {
                 x[k] = problem.lower()[k] + (problem.upper()[k] - problem.lower()[k]) * random.uniform();
+            }
             const auto full = problem.evaluate(x, nullptr);
             const auto lazy = problem.evaluate(x, &rival);
             EXPECT_EQ(problem.isBrighter(full, rival), problem.isBrighter(lazy, rival));
             if (problem.isBrighter(full, rival))
+            {
                 rival = full;
+            }
         }
     }
 

@@ -73,9 +73,11 @@ namespace ompl_mfa::paper
             {
                 std::vector<StudyRun> all;
                 for (unsigned int run = 1; run <= count; ++run)
+                {
                     all.push_back({{{"algorithm", "mfa"}, {"run", run}}, [] {
                                        return Json{{"process", getpid()}, {"parent", getppid()}};
                                    }});
+                }
                 return all;
             }
 
@@ -157,13 +159,17 @@ namespace ompl_mfa::paper
                                          {
                                              Json values = Json::array();
                                              for (const double number : numbers)
+                                             {
                                                  values.push_back(numberToJson(number));
+                                             }
                                              values.push_back(numberToJson(NAN));
                                              return Json{{"values", values}};
                                          }}};
         const Json values = makeStudyRuns(options_, "part", "", all).at(0).at("values");
         for (std::size_t i = 0; i < numbers.size(); ++i)
+        {
             EXPECT_EQ(numberFrom(values.at(i)), numbers[i]);
+        }
         EXPECT_TRUE(std::isnan(numberFrom(values.back())));
     }
 }  // namespace ompl_mfa::paper

@@ -98,7 +98,9 @@ namespace ompl_mfa::path
             {
                 // start, a state between, and goal on a line
                 for (unsigned int i = 0; i < 3; ++i)
+                {
                     (*states_[i])[0] = (*states_[i])[1] = static_cast<double>(i);
+                }
             }
 
             const ob::State *state(unsigned int i) const
@@ -121,7 +123,9 @@ namespace ompl_mfa::path
         TEST_F(CostBoundsTest, OfPathLengthAreCertainWhereTheDistanceObeysTheTriangleInequality)
         {
             for (const auto &named : test::supportedSpaces())
+            {
                 EXPECT_EQ(certainOfLength(named.make()), named.name != "DubinsSymmetric") << named.name;
+            }
         }
 
         /* Why the last test excepts them: a Dubins car that may be moved either way does better with a cusp. */
@@ -136,7 +140,9 @@ namespace ompl_mfa::path
             for (int i = 0; i < 10000 && !shorter; ++i)
             {
                 for (auto *state : {&from, &via, &to})
+                {
                     sampler->sampleUniform(state->get());
+                }
                 shorter = space->distance(from.get(), via.get()) + space->distance(via.get(), to.get()) <
                           space->distance(from.get(), to.get()) - 1e-6;
             }

@@ -158,11 +158,15 @@ namespace ompl_mfa::test
                     [&]
                     {
                         for (std::uint64_t k = 0; k < CHECKS; ++k)
+                        {
                             checker.isValid(state_.get());
+                        }
                     });
             }
             for (std::thread &thread : threads)
+            {
                 thread.join();
+            }
             EXPECT_EQ(checker.checks(), 4 * CHECKS);
         }
     }  // namespace

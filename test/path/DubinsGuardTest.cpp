@@ -106,7 +106,9 @@ namespace ompl_mfa::path
                 const double straight = radius_ * std::pow(10.0, rng_.uniformReal(-7.0, 2.0));
                 double arc = rng_.uniform01() < 0.3 ? 0.0 : rng_.uniformReal(-2.0 * PI, 2.0 * PI);
                 if (rng_.uniform01() < 0.3)
+                {
                     arc *= 1e-2 * rng_.uniform01();
+                }
                 const double side = arc < 0.0 ? -1.0 : 1.0;
                 const double end = yaw + arc;
                 const double toX = x + straight * std::cos(yaw) + side * radius_ * (std::sin(end) - std::sin(yaw));
@@ -119,7 +121,9 @@ namespace ompl_mfa::path
             double noise(double unit)
             {
                 if (rng_.uniform01() < 0.5)
+                {
                     return 0.0;
+                }
                 const double size = unit * std::pow(10.0, rng_.uniformReal(-12.0, -4.0));
                 return rng_.uniform01() < 0.5 ? -size : size;
             }
@@ -190,13 +194,17 @@ namespace ompl_mfa::path
             const auto ends = GetParam().poses(to.get());
             std::vector<NearTangentPairs> pairs;
             for (const auto &start : starts)
+            {
                 pairs.emplace_back(start.second, 7 + pairs.size());
+            }
             unsigned int refused = 0;
             unsigned int uncomputable = 0;
             for (unsigned int i = 0; i < PAIRS; ++i)
             {
                 for (std::size_t k = 0; k < pairs.size(); ++k)
+                {
                     pairs[k].draw(starts[k].first, ends[k].first);
+                }
                 const bool allowed = guard.allows(from.get(), to.get());
                 const double distance = guard.distance(from.get(), to.get());
                 guard.interpolate(from.get(), to.get(), 0.3, between.get());
@@ -239,7 +247,9 @@ namespace ompl_mfa::path
             {
                 pairs.draw(from.get(), to.get());
                 if (guard.computes(from.get(), to.get()))
+                {
                     continue;
+                }
                 const double distance = std::hypot(from->as<Pose>()->getX() - to->as<Pose>()->getX(),
                                                    from->as<Pose>()->getY() - to->as<Pose>()->getY());
                 ++refused;
@@ -344,7 +354,9 @@ namespace ompl_mfa::path
                 const double distance = std::hypot(from->as<Pose>()->getX() - to->as<Pose>()->getX(),
                                                    from->as<Pose>()->getY() - to->as<Pose>()->getY());
                 if (distance < 0.03 * radius || !guard.allows(from.get(), to.get()))
+                {
                     continue;
+                }
                 ++motions;
                 const unsigned int parts = 2 + i % 9;
                 space->copyState(before.get(), from.get());

@@ -165,7 +165,9 @@ namespace ompl_mfa::path
                                       [caller](const ob::State *)
                                       {
                                           if (std::this_thread::get_id() != caller)
+                                          {
                                               throw std::domain_error("not here");
+                                          }
                                           return true;
                                       });
             PathEvaluator evaluator(failing.si, std::make_shared<ob::PathLengthOptimizationObjective>(failing.si), 3);
@@ -180,7 +182,9 @@ namespace ompl_mfa::path
             const auto checkUntilAWorkerHelps = [&]
             {
                 for (int i = 0; i < 10000; ++i)
+                {
                     evaluator.checkPath(path);
+                }
             };
             EXPECT_THROW(checkUntilAWorkerHelps(), std::domain_error);
         }

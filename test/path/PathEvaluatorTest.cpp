@@ -101,7 +101,9 @@ namespace ompl_mfa::path
             const Waypoints zigzag = path({{0, 0}, {3, 4}, {3, 8}, {-9, 3}});
             og::PathGeometric theirs(problem_.si);
             for (const ob::State *state : zigzag.pointers())
+            {
                 theirs.append(state);
+            }
             const std::vector<ob::OptimizationObjectivePtr> objectives{
                 std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si),
                 std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si),

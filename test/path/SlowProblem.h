@@ -84,10 +84,14 @@ namespace ompl_mfa::test
                 space->interpolate(from, to, static_cast<double>(i) / count, state.get());
                 valid = si_->isValid(state.get());
                 if (valid)
+                {
                     lastValid.second = static_cast<double>(i) / count;
+                }
             }
             if (!valid && lastValid.first != nullptr)
+            {
                 space->interpolate(from, to, lastValid.second, lastValid.first);
+            }
             return valid;
         }
     };
@@ -121,7 +125,9 @@ namespace ompl_mfa::test
             si->setStateValidityChecker(
                 std::make_shared<path::CountingValidityChecker>(si, si->getStateValidityChecker(), states));
             if (wholeMotions)
+            {
                 si->setMotionValidator(std::make_shared<WholeMotionValidator>(si));
+            }
             si->setup();
         }
     };

@@ -211,7 +211,9 @@ namespace ompl_mfa::path
                 chart.difference(a.get(), b.get(), delta);
                 double sum = 0.0;
                 for (std::size_t leaf = 0; leaf < chart.leaves(); ++leaf)
+                {
                     sum += delta.segment(chart.leafRange(leaf).first, chart.leafRange(leaf).second).norm();
+                }
                 EXPECT_NEAR(sum, space->distance(a.get(), b.get()), 1e-6);
             }
         }
@@ -339,7 +341,9 @@ namespace ompl_mfa::path
             const std::string message = refusalOf(space);
             EXPECT_NE(message.find("'" + named + "'"), std::string::npos) << message;
             for (const char *supported : {"R^n", "SO(2)", "SO(3)", "SE(2)", "SE(3)", "Dubins", "Reeds-Shepp"})
+            {
                 EXPECT_NE(message.find(supported), std::string::npos) << message;
+            }
         }
 
         TEST(StateChart, RefusesSpacesWithoutCoordinatesAndNamesThem)
@@ -415,17 +419,23 @@ namespace ompl_mfa::path
         {
             Eigen::VectorXd delta(chart.dimension());
             for (Eigen::Index i = 0; i < delta.size(); ++i)
+            {
                 delta[i] = size * 1e-6 * *rc::gen::inRange(-1000000, 1000001);
+            }
             for (std::size_t leaf = 0; leaf < chart.leaves(); ++leaf)
             {
                 const auto [offset, dimension] = chart.leafRange(leaf);
                 if (offset < chart.positionDimension())
+                {
                     continue;
+                }
                 // the logarithm is unique within a ball
                 const double reach = chart.rotationReach()[offset - chart.positionDimension()];
                 const double norm = delta.segment(offset, dimension).norm();
                 if (norm >= reach)
+                {
                     delta.segment(offset, dimension) *= (1.0 - 1e-9) * reach / norm;
+                }
             }
             return delta;
         }
@@ -446,7 +456,9 @@ namespace ompl_mfa::path
             {
                 ob::State *part = space->getSubstateAtLocation(state, substate);
                 if (dynamic_cast<const ob::SO2StateSpace *>(substate.space) != nullptr && *rc::gen::inRange(0, 4) == 0)
+                {
                     part->as<ob::SO2StateSpace::StateType>()->value = rng.uniform01() < 0.5 ? PI - 1e-12 : -PI;
+                }
                 if (dynamic_cast<const ob::SO3StateSpace *>(substate.space) != nullptr && *rc::gen::inRange(0, 2) == 0)
                 {
                     auto *q = part->as<ob::SO3StateSpace::StateType>();

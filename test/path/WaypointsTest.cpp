@@ -70,7 +70,9 @@ namespace ompl_mfa::path
         {
             std::vector<double> result;
             for (const ob::State *state : path.pointers())
+            {
                 result.push_back(value(state));
+            }
             return result;
         }
 
@@ -157,7 +159,9 @@ namespace ompl_mfa::path
             waypoints.appendTo(path);
             ASSERT_EQ(path.getStateCount(), 4U);
             for (unsigned int i = 0; i < 4; ++i)
+            {
                 EXPECT_EQ(value(path.getState(i)), (std::vector<double>{1.0, 2.0, 1.0, 3.0})[i]);
+            }
         }
 
         TEST_F(WaypointsTest, InsertsAnywhere)
@@ -202,7 +206,9 @@ namespace ompl_mfa::path
             EXPECT_EQ(path.space(), plane);
             ASSERT_EQ(path.size(), 2U);
             for (std::size_t i = 0; i < 2; ++i)
+            {
                 EXPECT_TRUE(plane->equalStates(path[i], planar[i]));
+            }
             Waypoints moved = make({5.0, 6.0, 7.0});
             moved = std::move(planar);
             EXPECT_EQ(moved.space(), plane);
@@ -283,7 +289,9 @@ namespace ompl_mfa::path
                 RC_ASSERT(values(other) == otherModel);
                 double length = 0.0;
                 for (std::size_t i = 1; i < model.size(); ++i)
+                {
                     length += std::abs(model[i] - model[i - 1]);
+                }
                 RC_ASSERT(path.length() == length);
             }
         }

@@ -57,7 +57,9 @@ namespace ompl_mfa::path
                 ++arrived_;
                 const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
                 while (arrived_ < threads && std::chrono::steady_clock::now() < end)
+                {
                     std::this_thread::yield();
+                }
                 return arrived_ >= threads;
             }
 
@@ -73,7 +75,9 @@ namespace ompl_mfa::path
             for (std::size_t count = 0; count <= taken.size(); ++count)
             {
                 for (auto &task : taken)
+                {
                     task = 0;
+                }
                 EXPECT_TRUE(pool.run(count,
                                      [&](std::size_t, std::size_t task)
                                      {
@@ -81,7 +85,9 @@ namespace ompl_mfa::path
                                          return true;
                                      }));
                 for (std::size_t task = 0; task < taken.size(); ++task)
+                {
                     EXPECT_EQ(taken[task], task < count ? 1 : 0) << task << " of " << count;
+                }
             }
         }
 
@@ -97,7 +103,9 @@ namespace ompl_mfa::path
                                      return meeting.await(3);
                                  }));
             for (const auto &tasks : used)
+            {
                 EXPECT_EQ(tasks, 1);
+            }
         }
 
         TEST(WorkerPool, OneThreadTakesTheTasksInOrder)
@@ -132,7 +140,9 @@ namespace ompl_mfa::path
                 {
                     meeting.await(2);
                     if (thread != 0)
+                    {
                         throw std::runtime_error("of a worker");
+                    }
                     return true;
                 };
                 EXPECT_THROW(pool.run(2, failing), std::runtime_error);

@@ -51,9 +51,13 @@ namespace ompl_mfa::planner
         {
             const AcceptedValues<unsigned int> sizes(4, 1, 10000, 0);
             for (const unsigned int size : {0U, 4U, 5U, 10000U})
+            {
                 EXPECT_TRUE(sizes.contains(size)) << size;
+            }
             for (const unsigned int size : {1U, 3U, 10001U, 4294967295U})
+            {
                 EXPECT_FALSE(sizes.contains(size)) << size;
+            }
             EXPECT_EQ(sizes.suggestion(), "0:1:10000");
             EXPECT_EQ(sizes.description(), "0, 4 to 10000");
         }
@@ -65,7 +69,9 @@ namespace ompl_mfa::planner
             EXPECT_TRUE(shares.contains(2.5));
             for (const double value : {std::nextafter(-1.0, -2.0), std::nextafter(2.5, 3.0),
                                        std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL})
+            {
                 EXPECT_FALSE(shares.contains(value)) << value;
+            }
             EXPECT_EQ(shares.suggestion(), "-1.0:0.125:2.5") << "OMPL takes 2 for a whole number";
             EXPECT_EQ(shares.description(), "-1 to 2.5");
         }
@@ -76,7 +82,9 @@ namespace ompl_mfa::planner
             EXPECT_TRUE(words.contains("none"));
             EXPECT_TRUE(words.contains("both"));
             for (const char *word : {"", "None", "bot", "none,both"})
+            {
                 EXPECT_FALSE(words.contains(word)) << word;
+            }
             EXPECT_EQ(words.suggestion(), "none,both");
             EXPECT_EQ(words.description(), "none, both");
         }

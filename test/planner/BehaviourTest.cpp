@@ -247,7 +247,9 @@ namespace ompl_mfa::planner
                     EXPECT_TRUE(pdef_.getGoal()->isSatisfied(states.back()));
                     og::PathGeometric published(problem_->si);
                     for (const ob::State *state : states)
+                    {
                         published.append(state);
+                    }
                     EXPECT_TRUE(published.check());
                     EXPECT_NEAR(published.length(), cost.value(), 1e-9);
                     if (!costs.empty())
@@ -299,12 +301,16 @@ namespace ompl_mfa::planner
                 for (auto &swarmPath : planner->getSwarmPaths())
                 {
                     for (ob::State *state : swarmPath.getStates())
+                    {
                         values.insert(values.end(), {test::coordinate(state, 0), test::coordinate(state, 1)});
+                    }
                 }
                 if (pdef_.hasExactSolution())
                 {
                     for (ob::State *state : path().getStates())
+                    {
                         values.insert(values.end(), {test::coordinate(state, 0), test::coordinate(state, 1)});
+                    }
                 }
                 return values;
             };

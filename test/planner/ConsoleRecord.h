@@ -71,7 +71,9 @@ namespace ompl_mfa::test
             for (const auto &line : complaints_)
             {
                 if (line.find(text) != std::string::npos)
+                {
                     return true;
+                }
             }
             return false;
         }
@@ -85,7 +87,9 @@ namespace ompl_mfa::test
         void log(const std::string &text, ompl::msg::LogLevel level, const char * /*filename*/, int /*line*/) override
         {
             if (level >= ompl::msg::LOG_WARN)
+            {
                 complaints_.push_back(text);
+            }
         }
 
         ompl::msg::OutputHandler *previous_;

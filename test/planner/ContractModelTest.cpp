@@ -308,7 +308,9 @@ namespace ompl_mfa::planner
         {
             const Values &values = parameterValues()[command.a % parameterValues().size()];
             if (command.b % 4 != 0)
+            {
                 return set(values.name, values.accepted[command.b % values.accepted.size()]);
+            }
             RC_ASSERT(!planner_.params().setParam(values.name, values.refused[command.b / 4 % values.refused.size()]));
         }
 
@@ -322,7 +324,9 @@ namespace ompl_mfa::planner
                 // large ones are tried by text, where they only take long to search with
                 const bool large = n > 4 && (name == "population_size" || name == "slices" || name == "threads");
                 if (accepted && large)
+                {
                     return;
+                }
                 bool thrown = false;
                 try
                 {
@@ -334,7 +338,9 @@ namespace ompl_mfa::planner
                 }
                 RC_ASSERT(thrown == !accepted);
                 if (accepted)
+                {
                     set_[name] = text;
+                }
             };
             std::ostringstream text;
             text << x;
@@ -419,16 +425,22 @@ namespace ompl_mfa::planner
                 case Kind::Lazy:
                     goal_->as<ob::GoalStates>()->clear();
                     for (unsigned int i = 0; i < a % 3; ++i)
+                    {
                         addGoal(POINTS[(b + i) % POINTS.size()]);
+                    }
                     break;
                 case Kind::Region:
                     goal_->as<ob::GoalRegion>()->setThreshold(a % 2 == 0 ? 0.2 : 2.0);
                     break;
                 case Kind::Patch:
                     if (a % 2 == 0)
+                    {
                         goal_->as<test::PatchGoal>()->side = b % 2 == 0 ? 0.1 : 0.9;
+                    }
                     else
+                    {
                         goal_->as<test::PatchGoal>()->center = POINTS[4 + b % 3];
+                    }
                     break;
             }
         }
@@ -438,13 +450,21 @@ namespace ompl_mfa::planner
         {
             const auto next = std::make_shared<ob::ProblemDefinition>(problem_.si);
             for (unsigned int i = 0; same && i < problem_.pdef->getStartStateCount(); ++i)
+            {
                 next->addStartState(problem_.pdef->getStartState(i));
+            }
             for (unsigned int i = 0; !same && i < startsOf(a); ++i)
+            {
                 next->addStartState(state(POINTS[(b + i) % 4]));
+            }
             if (same || a % 8 != 7)
+            {
                 next->setGoal(goal_);
+            }
             if (same)
+            {
                 next->setOptimizationObjective(problem_.pdef->getOptimizationObjective());
+            }
             problem_.pdef = next;
             planner_.setProblemDefinition(next);
         }
@@ -460,7 +480,9 @@ namespace ompl_mfa::planner
                 case Call::ReplaceStarts:
                     problem_.pdef->clearStartStates();
                     for (unsigned int i = 0; i < startsOf(command.a); ++i)
+                    {
                         problem_.pdef->addStartState(state(POINTS[(command.b + i) % 4]));
+                    }
                     return;
                 case Call::NewGoal:
                     restarts();
@@ -519,12 +541,16 @@ namespace ompl_mfa::planner
                     break;
                 case Call::AddGoal:
                     if (kind_ == Kind::States || kind_ == Kind::Lazy)
+                    {
                         addGoal(POINTS[command.a % POINTS.size()]);
+                    }
                     searched_ = false;
                     break;
                 case Call::ChangeThreshold:
                     if (const auto &objective = problem_.pdef->getOptimizationObjective())
+                    {
                         objective->setCostThreshold(ob::Cost(command.a % 2 == 0 ? 0.0 : 14.0));
+                    }
                     break;
                 case Call::Setup:
                     planner_.setup();
@@ -551,11 +577,15 @@ namespace ompl_mfa::planner
         {
             std::vector<const ob::State *> states;
             if (kind_ == Kind::State)
+            {
                 states.push_back(goal_->as<ob::GoalState>()->getState());
+            }
             if (kind_ == Kind::States || kind_ == Kind::Lazy)
             {
                 for (unsigned int i = 0; i < goal_->as<ob::GoalStates>()->getStateCount(); ++i)
+                {
                     states.push_back(goal_->as<ob::GoalStates>()->getState(i));
+                }
             }
             return states;
         }
@@ -565,7 +595,9 @@ namespace ompl_mfa::planner
             for (unsigned int i = 0; i < problem_.pdef->getStartStateCount(); ++i)
             {
                 if (problem_.si->equalStates(problem_.pdef->getStartState(i), state))
+                {
                     return true;
+                }
             }
             return false;
         }
@@ -600,11 +632,15 @@ namespace ompl_mfa::planner
             }
             RC_ASSERT(thrown == !complete);
             if (thrown)
+            {
                 return;
+            }
             RC_ASSERT(!begins || !nothingSearches());
             // where the query may have changed, the search may have the parameters of either
             if (mayBegin)
+            {
                 frozen_.push_back({set_, guidePlanner_});
+            }
             if (expectRefusal(status, evaluations))
             {
                 mayRestart();
@@ -621,16 +657,24 @@ namespace ompl_mfa::planner
         {
             bool validStart = false;
             for (unsigned int i = 0; i < problem_.pdef->getStartStateCount(); ++i)
+            {
                 validStart = validStart || isValid(problem_.pdef->getStartState(i));
+            }
             bool validGoal = kind_ == Kind::Region || kind_ == Kind::Patch;
             for (const ob::State *goal : listedGoals())
+            {
                 validGoal = validGoal || isValid(goal);
+            }
             if (!validStart)
+            {
                 RC_ASSERT(status == ob::PlannerStatus::INVALID_START);
+            }
             else if (!validGoal)
+            {
                 // a condition may leave no time to look at all of them
                 RC_ASSERT(status == ob::PlannerStatus::INVALID_GOAL ||
                           (status == ob::PlannerStatus::TIMEOUT && evaluations < listedGoals().size()));
+            }
             return !validStart || !validGoal;
         }
 
@@ -645,7 +689,9 @@ namespace ompl_mfa::planner
                 RC_ASSERT(planner_.bestCost() <= cost_);
             }
             if (kept_)
+            {
                 RC_ASSERT(planner_.evaluations() >= evaluations_);
+            }
             RC_ASSERT(exact == std::isfinite(planner_.bestCost()));
             solved_ = exact;
             cost_ = planner_.bestCost();
@@ -695,20 +741,26 @@ namespace ompl_mfa::planner
             ob::PlannerData data(problem_.si);
             planner_.getPlannerData(data);
             if (!searched_ || !hasProblem_)
+            {
                 return;
+            }
             for (unsigned int i = 0; i < data.numStartVertices(); ++i)
             {
                 const ob::State *start = data.getStartVertex(i).getState();
                 RC_ASSERT(isStart(start));
                 for (unsigned int k = 0; k < i; ++k)
+                {
                     RC_ASSERT(!problem_.si->equalStates(data.getStartVertex(k).getState(), start));
+                }
             }
             for (unsigned int i = 0; i < data.numGoalVertices(); ++i)
             {
                 const ob::State *goal = data.getGoalVertex(i).getState();
                 RC_ASSERT(isGoal(goal));
                 for (unsigned int k = 0; k < i; ++k)
+                {
                     RC_ASSERT(!problem_.si->equalStates(data.getGoalVertex(k).getState(), goal));
+                }
             }
         }
 
@@ -718,7 +770,9 @@ namespace ompl_mfa::planner
             const test::ConsoleRecord console;
             Model model;
             for (const Command &command : commands)
+            {
                 model.run(command);
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa::planner

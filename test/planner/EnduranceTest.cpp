@@ -84,11 +84,17 @@ namespace ompl_mfa::planner
                     EXPECT_TRUE(problem_->pdef->getSolutionPath()->check());
                 }
                 if (i % 2 == 0)
+                {
                     planner->clear();
+                }
                 if (i % 3 == 0)
+                {
                     problem_->pdef->clearSolutionPaths();
+                }
                 if (i % 5 == 0)
+                {
                     planner->clear();
+                }
                 if (i % 2 == 0 || i % 5 == 0)
                 {
                     EXPECT_EQ(planner->bestCost(), NEVER) << "cleared";
@@ -131,7 +137,9 @@ namespace ompl_mfa::planner
                 pdef->setStartAndGoalStates(problem_->state(start), problem_->state({9.0, 1.0}));
                 planner->setProblemDefinition(pdef);
                 if (i % 2 == 0)
+                {
                     planner->clear();
+                }
                 ASSERT_EQ(planner->solve(test::untilExact(pdef)), ob::PlannerStatus::EXACT_SOLUTION);
                 const auto &path = *pdef->getSolutionPath()->as<og::PathGeometric>();
                 EXPECT_TRUE(problem_->si->equalStates(path.getState(0), problem_->state(start).get()));
@@ -191,7 +199,9 @@ namespace ompl_mfa::planner
                 planner->clear();
                 problem_->pdef->clearSolutionPaths();
                 if (i == 200)
+                {
                     early = bytesInUse();
+                }
             }
             // 800 solves more; a state that was forgotten in each would be 800 times 48 bytes
             EXPECT_LT(bytesInUse(), early + 16 * 1024);
@@ -242,7 +252,9 @@ namespace ompl_mfa::planner
                 planner->solve(test::afterCalls(200));
                 problem_->pdef->clearSolutionPaths();
                 if (i == 200)
+                {
                     early = bytesInUse();
+                }
             }
             EXPECT_LT(bytesInUse(), early + 16 * 1024);
             ompl::msg::setLogLevel(level);

@@ -112,7 +112,9 @@ namespace ompl_mfa::planner
                     const double part = a / (a - b);
                     const double y = (1.0 - part) * test::coordinate(from, 1) + part * test::coordinate(to, 1);
                     if (std::abs(y) < 2.0)
+                    {
                         return infiniteCost();
+                    }
                 }
                 return ob::Cost(si_->distance(from, to));
             }
@@ -270,7 +272,9 @@ namespace ompl_mfa::planner
             ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
             {
                 if (left_ > 0)
+                {
                     --left_;
+                }
                 return ob::Cost(left_ > 0 ? si_->distance(from, to) : std::numeric_limits<double>::quiet_NaN());
             }
 

@@ -78,7 +78,9 @@ namespace ompl_mfa::planner
         {
             for (const char *name :
                  {"variant", "population_size", "slices", "generations", "gamma", "alpha", "eta", "seed"})
+            {
                 EXPECT_TRUE(planner_.params().hasParam(name)) << name;
+            }
         }
 
         TEST_F(Parameters, DefaultsOfTheSwarmAreThePapers)
@@ -107,7 +109,9 @@ namespace ompl_mfa::planner
             std::vector<std::string> parts;
             std::istringstream in(text);
             for (std::string part; std::getline(in, part, separator);)
+            {
                 parts.push_back(part);
+            }
             return parts;
         }
 
@@ -119,7 +123,9 @@ namespace ompl_mfa::planner
                 const bool interval = range.find(':') != std::string::npos;
                 auto ends = split(range, interval ? ':' : ',');
                 if (interval)
+                {
                     ends = {ends.front(), ends.back()};
+                }
                 const std::string before = parameter->getValue();
                 for (const auto &end : ends)
                 {
@@ -169,7 +175,9 @@ namespace ompl_mfa::planner
                 const test::ConsoleRecord console;
                 EXPECT_FALSE(planner_.params().setParam(name, "surely not")) << name;
                 if (range.find(':') == std::string::npos)
+                {
                     continue;
+                }
                 const auto ends = split(range, ':');
                 std::ostringstream above;
                 above << std::fixed << std::stod(ends.back()) * 2.0 + 1.0;
@@ -244,11 +252,17 @@ namespace ompl_mfa::planner
         {
             const double nan = std::numeric_limits<double>::quiet_NaN();
             for (const double gamma : {-0.1, 0.0, 100.0, 100.1, 1000.0, nan, HUGE_VAL})
+            {
                 EXPECT_EQ(accepts(planner_, "gamma", [&] { planner_.setGamma(gamma); }), gamma >= 0 && gamma <= 100);
+            }
             for (const double alpha : {-0.1, 0.0, 1.0, 1.1, nan})
+            {
                 EXPECT_EQ(accepts(planner_, "alpha", [&] { planner_.setAlpha(alpha); }), alpha >= 0 && alpha <= 1);
+            }
             for (const double eta : {-0.1, 0.0, 2.0, 2.1, nan})
+            {
                 EXPECT_EQ(accepts(planner_, "eta", [&] { planner_.setEta(eta); }), eta >= 0 && eta <= 2);
+            }
             for (const unsigned int n : {0U, 1U, 3U, 4U, 64U, 65U, 1000U, 1001U, 10000U, 10001U, 100000U, 1000000U})
             {
                 EXPECT_EQ(accepts(planner_, "population_size", [&] { planner_.setPopulationSize(n); }),
@@ -286,7 +300,9 @@ namespace ompl_mfa::planner
                 // those OMPL would take for true
                 const test::ConsoleRecord console;
                 for (const char *neither : {"", "2", "no", "-1", "01", "truee"})
+                {
                     EXPECT_FALSE(planner_.params().setParam(name, neither)) << neither;
+                }
             }
         }
 
@@ -312,7 +328,9 @@ namespace ompl_mfa::planner
                 EXPECT_FALSE(planner_.params().setParam("slices", wrong)) << wrong;
             }
             for (const char *wrong : {"2e1", "20.0", "0x14", "4294967296", "18446744073709551617", "1,000"})
+            {
                 EXPECT_FALSE(planner_.params().setParam("slices", wrong)) << wrong;
+            }
             EXPECT_EQ(planner_.getGamma(), 0.5);
             EXPECT_EQ(planner_.getSlices(), 20U);
         }
@@ -404,7 +422,9 @@ namespace ompl_mfa::planner
                 planner->solve(test::afterCalls(6000));
                 std::vector<double> result;
                 for (const auto &share : planner->shares())
+                {
                     result.push_back(share.second);
+                }
                 result.push_back(planner->bestCost());
                 result.push_back(static_cast<double>(planner->evaluations()));
                 result.push_back(static_cast<double>(planner->iterations()));
@@ -435,7 +455,9 @@ namespace ompl_mfa::planner
             {
                 const auto cells = split(line, '|');
                 if (cells.size() > 5 && cells[1].size() > 4 && cells[1].substr(0, 2) == " `")
+                {
                     rows[cells[1].substr(2, cells[1].size() - 4)] = cells;
+                }
             }
             const auto compare = [&](const auto &parameter)
             {
@@ -451,10 +473,14 @@ namespace ompl_mfa::planner
                 rows.erase(name);
             };
             for (const auto &parameter : mfaParameters())
+            {
                 std::visit(compare, parameter);
+            }
             EXPECT_EQ(planner_.params().size(), mfaParameters().size());
             for (const auto &row : rows)
+            {
                 ADD_FAILURE() << row.first << " is in the table, but no parameter";
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa::planner

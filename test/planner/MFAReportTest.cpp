@@ -106,14 +106,18 @@ namespace ompl_mfa::planner
                 ob::PlannerData data(problem_->si);
                 planner_->getPlannerData(data);
                 for (unsigned int i = 0; i < data.numVertices(); ++i)
+                {
                     EXPECT_TRUE(problem_->si->isValid(data.getVertex(i).getState())) << calls;
+                }
             }
         }
 
         TEST_P(Report, PlannerDataShowTheRoadmapThatFoundThePath)
         {
             if (GetParam() == test::PlannerVariant::Paper)
+            {
                 GTEST_SKIP() << "the paper's algorithm has no roadmap";
+            }
             test::set(*planner_, "guide", "roadmap");
             planner_->solve(test::untilExact(problem_->pdef));
             planner_->solve(test::afterCalls(20000));
@@ -139,7 +143,9 @@ namespace ompl_mfa::planner
                 for (const unsigned int j : targets)
                 {
                     if (seen.insert(j).second)
+                    {
                         left.push_back(j);
+                    }
                 }
             }
             EXPECT_EQ(seen.count(data_.getGoalIndex(0)), 1U);
@@ -153,7 +159,9 @@ namespace ompl_mfa::planner
             ASSERT_GT(vertices, 2U);
             std::vector<ob::ScopedState<>> states;
             for (unsigned int i = 0; i < vertices; ++i)
+            {
                 states.emplace_back(problem_->si->getStateSpace(), data_.getVertex(i).getState());
+            }
             // neither another reader, nor the search, nor the end of the planner touches them
             ob::PlannerData other(problem_->si);
             planner_->getPlannerData(other);
@@ -162,7 +170,9 @@ namespace ompl_mfa::planner
             planner_.reset();
             EXPECT_EQ(data_.numVertices(), vertices);
             for (unsigned int i = 0; i < vertices; ++i)
+            {
                 EXPECT_TRUE(problem_->si->equalStates(data_.getVertex(i).getState(), states[i].get()));
+            }
         }
 
         TEST_P(Report, PlannerDataHoldsTheProgressProperties)
@@ -193,7 +203,9 @@ namespace ompl_mfa::planner
             planner_->solve(test::afterCalls(200000));
             // a swarm of a new window has yet to be placed
             for (unsigned int i = 0; i < 50 && planner_->getSwarmPaths().empty(); ++i)
+            {
                 planner_->solve(test::afterCalls(1000));
+            }
             auto paths = planner_->getSwarmPaths();
             ASSERT_FALSE(paths.empty());
             const auto &space = problem_->si->getStateSpace();
@@ -202,7 +214,9 @@ namespace ompl_mfa::planner
                 EXPECT_TRUE(space->equalStates(path.getState(0), problem_->pdef->getStartState(0)));
                 EXPECT_TRUE(problem_->pdef->getGoal()->isSatisfied(path.getState(path.getStateCount() - 1)));
                 for (const ob::State *state : path.getStates())
+                {
                     EXPECT_TRUE(space->satisfiesBounds(state));
+                }
             }
         }
 
@@ -215,7 +229,9 @@ namespace ompl_mfa::planner
             {
                 EXPECT_EQ(slice.getStateCount(), 2U);
                 for (const ob::State *state : slice.getStates())
+                {
                     EXPECT_TRUE(problem_->si->satisfiesBounds(state));
+                }
             }
         }
 

@@ -277,7 +277,9 @@ namespace ompl_mfa::planner
             EXPECT_TRUE(path().check());
             ASSERT_GE(costs.size(), 2U);
             for (std::size_t i = 1; i < costs.size(); ++i)
+            {
                 EXPECT_TRUE(objective_->isCostBetterThan(costs[i], costs[i - 1]));
+            }
             const double cost = path().cost(objective_).value();
             EXPECT_NEAR(costs.back().value(), cost, 1e-9 * std::abs(cost));
             EXPECT_NEAR(planner_->bestCost(), cost, 1e-9 * std::abs(cost));
@@ -290,7 +292,9 @@ namespace ompl_mfa::planner
             og::PathGeometric shortest(problem_->si);
             for (const auto &[x, y] :
                  std::vector<std::pair<double, double>>{{1, 1}, {4.45, 6.05}, {5.55, 6.05}, {9, 1}})
+            {
                 shortest.append(problem_->state({x, y}).get());
+            }
             ASSERT_TRUE(shortest.check());
             const double known = shortest.cost(objective_).value();
             // by a swarm of 20 on 5 slices, and without guide or tightening: close is enough

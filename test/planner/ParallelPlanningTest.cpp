@@ -91,7 +91,9 @@ namespace ompl_mfa::planner
                 result.push_back(static_cast<double>(mfa->evaluations()));
                 result.push_back(static_cast<double>(mfa->iterations()));
                 for (const auto &share : mfa->shares())
+                {
                     result.push_back(share.second);
+                }
                 return result;
             }
 
@@ -102,7 +104,9 @@ namespace ompl_mfa::planner
                                        [this](const ob::State *state)
                                        {
                                            if (refusesHelpers_ && std::this_thread::get_id() != caller_)
+                                           {
                                                throw std::domain_error("a checker for one thread");
+                                           }
                                            const double x = test::coordinate(state, 0);
                                            return x <= 4.5 || x >= 5.5 || test::coordinate(state, 1) >= 6.0;
                                        }};

@@ -60,7 +60,9 @@ namespace ompl_mfa::planner
             {
                 auto result = problem_->planner(test::PlannerVariant::Default);
                 for (const auto &[name, value] : parameters)
+                {
                     test::set(*result, name, value);
+                }
                 return result;
             }
 
@@ -73,8 +75,10 @@ namespace ompl_mfa::planner
                 for (const auto &[name, value] : planner.getPlannerProgressProperties())
                 {
                     if (name.rfind(before, 0) == 0)
+                    {
                         result[name.substr(before.size(), name.size() - before.size() - behind.size())] =
                             std::stod(value());
+                    }
                 }
                 return result;
             }
@@ -83,7 +87,9 @@ namespace ompl_mfa::planner
             {
                 double result = 0.0;
                 for (const auto &share : shares)
+                {
                     result += share.second;
+                }
                 return result;
             }
 
@@ -99,13 +105,17 @@ namespace ompl_mfa::planner
             EXPECT_EQ(told.size(), 7U);
             EXPECT_NEAR(sum(told), 1.0, 1e-5);
             for (const char *part : {"fireflies", "recombination", "tightening", "trees", "roadmap"})
+            {
                 EXPECT_GT(told.at(part), 0.0) << part;
+            }
             EXPECT_EQ(told.at("guide planner"), 0.0);
             EXPECT_EQ(told.at("goal search"), 0.0);
             const auto asked = mfa->shares();
             ASSERT_EQ(asked.size(), told.size());
             for (const auto &[part, share] : told)
+            {
                 EXPECT_NEAR(asked.at(part), share, 1e-5) << part;
+            }
             mfa->clear();
             EXPECT_EQ(sum(shares(*mfa)), 0.0);
         }
@@ -146,8 +156,10 @@ namespace ompl_mfa::planner
                 problem_->pdef->clearSolutionPaths();
                 const auto mfa = planner(parameters);
                 if (part == "guide planner")
+                {
                     mfa->setGuidePlanner([](const ob::SpaceInformationPtr &si) -> ob::PlannerPtr
                                          { return std::make_shared<ompl::geometric::RRTConnect>(si); });
+                }
                 ASSERT_EQ(mfa->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION) << part;
                 EXPECT_TRUE(problem_->path().check()) << part;
                 EXPECT_DOUBLE_EQ(shares(*mfa).at(part), 1.0);

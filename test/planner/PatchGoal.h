@@ -67,7 +67,9 @@ namespace ompl_mfa::test
         {
             double *values = state->as<ompl::base::RealVectorStateSpace::StateType>()->values;
             for (std::size_t i = 0; i < 2; ++i)
+            {
                 values[i] = center[i] + side * rng_.uniformReal(-0.5, 0.5);
+            }
         }
 
         unsigned int maxSampleCount() const override

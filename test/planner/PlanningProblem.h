@@ -83,7 +83,9 @@ namespace ompl_mfa::test
     inline void set(MFA &planner, const std::string &parameter, const std::string &value)
     {
         if (!planner.params().setParam(parameter, value))
+        {
             throw std::invalid_argument(parameter + " = " + value);
+        }
     }
 
     /** \brief A planner with a swarm small enough for many runs. */
@@ -99,11 +101,15 @@ namespace ompl_mfa::test
         {
             // exactly the paper; what a planner does not have it need not switch off
             if (planner->params().hasParam("guide"))
+            {
                 set(*planner, "guide", "none");
+            }
             for (const char *part : {"recombination", "tightening"})
             {
                 if (planner->params().hasParam(part))
+                {
                     set(*planner, part, "0");
+                }
             }
         }
         return planner;

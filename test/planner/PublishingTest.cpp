@@ -85,7 +85,9 @@ namespace ompl_mfa::planner
                 {
                     cost *= factor;
                     if (!schedule.due(cost, work))
+                    {
                         continue;
+                    }
                     schedule.published(cost, work);
                     ++published;
                 }
@@ -113,7 +115,9 @@ namespace ompl_mfa::planner
                 {
                     double sum = 0.0;
                     for (unsigned int i = 0; i < 6; ++i)
+                    {
                         sum += std::pow(test::coordinate(state, i) - 5.0, 2);
+                    }
                     return sum > 16.0;
                 },
                 std::vector<double>(6, 2.0), std::vector<double>(6, 8.0));
@@ -177,7 +181,9 @@ namespace ompl_mfa::planner
             ASSERT_EQ(planner_->bestCost(), best);
             const std::size_t solutions = problem_->pdef->getSolutionCount();
             for (unsigned int i = 0; i < 20; ++i)
+            {
                 EXPECT_EQ(planner_->solve(test::afterCalls(1)), ob::PlannerStatus::EXACT_SOLUTION);
+            }
             EXPECT_EQ(problem_->pdef->getSolutionCount(), solutions);
             // but where it was removed it is needed
             problem_->pdef->clearSolutionPaths();

@@ -178,7 +178,9 @@ namespace ompl_mfa::planner
                 [&](const ob::GoalLazySamples *, ob::State *state)
                 {
                     while (made == 1 && !reached && !done)
+                    {
                         std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                    }
                     double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
                     values[0] = made == 0 ? 9.0 : 2.0;
                     values[1] = 1.0;
@@ -220,7 +222,9 @@ namespace ompl_mfa::planner
                                                       [&done](const ob::GoalLazySamples *, ob::State *)
                                                       {
                                                           while (!done)
+                                                          {
                                                               std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                                                          }
                                                           return false;
                                                       });
             problem_->pdef->setGoal(goals);
@@ -330,7 +334,9 @@ namespace ompl_mfa::planner
                 problem_->pdef->clearSolutionPaths();
                 expectExact(planner_->solve(test::untilExact(problem_->pdef)));
                 if (::testing::Test::HasFatalFailure())
+                {
                     return;
+                }
                 EXPECT_EQ(test::coordinate(pathEnd(), 0), x);
                 EXPECT_EQ(test::coordinate(pathEnd(), 1), y);
             }
@@ -629,7 +635,9 @@ namespace ompl_mfa::planner
                 const double a = test::coordinate(from, 0) - 5.0;
                 const double b = test::coordinate(to, 0) - 5.0;
                 if ((a < 0.0) == (b < 0.0))
+                {
                     return true;
+                }
                 const double y = test::coordinate(from, 1);
                 return y + (test::coordinate(to, 1) - y) * a / (a - b) > 6.0;
             }
@@ -713,7 +721,9 @@ namespace ompl_mfa::planner
             problem_->si->getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(bounds);
             expectExact(planner_->solve(test::untilExact(problem_->pdef)));
             for (const ob::State *state : path().getStates())
+            {
                 EXPECT_LE(test::coordinate(state, 1), 7.0);
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa::planner

@@ -94,9 +94,13 @@ namespace ompl_mfa::planner
               , positions_(chart_.positionDimension())
             {
                 for (Eigen::Index i = 0; i < centers_.size(); ++i)
+                {
                     centers_(i) = rng.uniformReal(-10.0, 10.0);
+                }
                 for (unsigned int i = 0; i < count; ++i)
+                {
                     radii_.push_back(rng.uniformReal(0.5, 2.5) * std::sqrt(0.5 * static_cast<double>(centers_.rows())));
+                }
             }
 
             bool isValid(const ob::State *state) const override
@@ -109,7 +113,9 @@ namespace ompl_mfa::planner
                 chart_.positions(state, positions_);
                 double nearest = 20.0;
                 for (Eigen::Index i = 0; i < centers_.cols(); ++i)
+                {
                     nearest = std::min(nearest, (centers_.col(i) - positions_).norm() - radii_[i]);
+                }
                 return nearest;
             }
 
@@ -155,13 +161,19 @@ namespace ompl_mfa::planner
                     ob::ScopedState<> state(space);
                     chart.sampleUniform(rng_, state.get());
                     if (si_->isValid(state.get()))
+                    {
                         ends.push_back(state);
+                    }
                 }
                 if (ends.size() < 4)
+                {
                     return false;
+                }
                 pdef_->addStartState(ends[0]);
                 if (number_ % 5 == 1)
+                {
                     pdef_->addStartState(ends[1]);
+                }
                 pdef_->setGoal(goal(ends[2].get(), ends[3].get()));
                 pdef_->setOptimizationObjective(objective());
                 return true;
@@ -175,7 +187,9 @@ namespace ompl_mfa::planner
                 test::set(planner, "slices", std::to_string(1 + number_ % 17));
                 test::set(planner, "seed", std::to_string(1 + number_));
                 if (number_ % 3 == 0)
+                {
                     test::set(planner, "variant", number_ % 2 == 0 ? "fa" : "mfa");
+                }
                 planner.setProblemDefinition(pdef_);
                 planner.setup();
                 // some are solved in two goes
@@ -197,7 +211,9 @@ namespace ompl_mfa::planner
                 auto goals = std::make_shared<ob::GoalStates>(si_);
                 goals->addState(first);
                 if (number_ % 7 == 5)
+                {
                     goals->addState(second);
+                }
                 return goals;
             }
 
@@ -229,7 +245,9 @@ namespace ompl_mfa::planner
                     {
                         const double now = processorTime();
                         if (now >= limit)
+                        {
                             return true;
+                        }
                         lastFalse = now;
                         return false;
                     });
@@ -259,7 +277,9 @@ namespace ompl_mfa::planner
                 const auto &space = si_->getStateSpace();
                 bool fromStart = false;
                 for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i)
+                {
                     fromStart = fromStart || space->equalStates(path.getState(0), pdef_->getStartState(i));
+                }
                 EXPECT_TRUE(fromStart) << "problem " << number_;
                 double distance = 0.0;
                 const bool reached = pdef_->getGoal()->isSatisfied(last, &distance);
@@ -312,7 +332,9 @@ namespace ompl_mfa::planner
             {
                 RandomProblem problem(GetParam().make(), number);
                 if (!problem.make())
+                {
                     continue;
+                }
                 problem.solve(tally);
                 ++solved;
             }

@@ -88,7 +88,9 @@ namespace ompl_mfa::planner
         {
             const test::ConsoleRecord console;
             for (const char *value : {"", "much", "0.5x", "0,5"})
+            {
                 EXPECT_FALSE(parameter_.setValue(value)) << value;
+            }
             EXPECT_EQ(value_, 0.5);
             EXPECT_TRUE(console.mentions("much"));
             EXPECT_TRUE(console.mentions("0 to 1"));

@@ -94,7 +94,9 @@ namespace ompl_mfa::planner
             }
             done = true;
             for (auto &reader : readers)
+            {
                 reader.join();
+            }
             EXPECT_GE(a, 1000);
         }
 
@@ -157,7 +159,9 @@ namespace ompl_mfa::planner
                     answers.push_back(
                         std::async(std::launch::async, [this, planner] { return verticesOf(*planner, problem_->si); }));
                     if (answers.back().wait_for(5s) != std::future_status::ready)
+                    {
                         waitedInVain = true;
+                    }
                     ++asked;
                 });
             planner_->solve(test::untilExact(problem_->pdef));
@@ -173,7 +177,9 @@ namespace ompl_mfa::planner
                 [&](const ob::GoalLazySamples *, ob::State *state)
                 {
                     while (!open)
+                    {
                         std::this_thread::sleep_for(1ms);
+                    }
                     problem_->si->copyState(state, problem_->state({9.0, 1.0}).get());
                     return true;
                 });
@@ -258,7 +264,9 @@ namespace ompl_mfa::planner
                                           [&](const ob::State *)
                                           {
                                               if (broken)
+                                              {
                                                   throw Broken();
+                                              }
                                               return true;
                                           },
                                           {1.0, 1.0}, {9.0, 1.0});

@@ -80,7 +80,9 @@ namespace ompl_mfa::planner
                 Eigen::VectorXd positions(chart_.positionDimension());
                 chart_.positions(state, positions);
                 if (positions.size() > 1)
+                {
                     return positions.norm() > 2.0;
+                }
                 return true;
             }
 
@@ -154,7 +156,9 @@ namespace ompl_mfa::planner
                 EXPECT_TRUE(space_->equalStates(path.getState(0), pdef->getStartState(0)));
                 EXPECT_TRUE(pdef->getGoal()->isSatisfied(path.getState(path.getStateCount() - 1)));
                 for (const ob::State *state : path.getStates())
+                {
                     EXPECT_TRUE(space_->satisfiesBounds(state));
+                }
                 const ob::PathLengthOptimizationObjective length(si_);
                 EXPECT_NEAR(planner->bestCost(), path.length(), 1e-9);
                 EXPECT_FALSE(length.isCostBetterThan(
@@ -212,7 +216,9 @@ namespace ompl_mfa::planner
             MFA planner(si);
             planner.setProblemDefinition(pdef);
             for (int i = 0; i < 2; ++i)
+            {
                 EXPECT_THROW(planner.solve(test::afterCalls(100)), ompl::Exception) << i;
+            }
         }
 
         class UnitSphere : public ob::Constraint
@@ -245,7 +251,9 @@ namespace ompl_mfa::planner
                                                       of(test::compoundSpace({test::se2Space(), clock}, {1, 1}))},
                   {"'projected'", of(si)},
                   {"'atlas'", of(atlasSi)}})
+            {
                 EXPECT_NE(message.find(name), std::string::npos) << message;
+            }
         }
 
         /* Start and goal differ in rotation alone, and the way between them is blocked: the positions have to make
@@ -275,7 +283,9 @@ namespace ompl_mfa::planner
             chart.setPositions(origin, start.get());
             chart.setPositions(origin, goal.get());
             while (space->distance(start.get(), goal.get()) < 1.2)
+            {
                 chart.sampleRotations(rng, goal.get());
+            }
             // near the place only rotations close to those of start and goal are free
             si->setStateValidityChecker(
                 [&](const ob::State *state)

@@ -108,7 +108,9 @@ namespace ompl_mfa::planner
                     [&]
                     {
                         if (++asked == calls)
+                        {
                             statesThen = problem_->counted.states;
+                        }
                         return asked >= calls;
                     });
                 planner->solve(ptc);
@@ -147,7 +149,9 @@ namespace ompl_mfa::planner
                 [&]
                 {
                     if (++asked == 500)
+                    {
                         statesThen = problem_->counted.states;
+                    }
                     return asked >= 500;
                 });
             // the target is inside the wall
@@ -248,7 +252,9 @@ namespace ompl_mfa::planner
                 [&]
                 {
                     if (!stop)
+                    {
                         statesThen = problem_->counted.states;
+                    }
                     return stop.load();
                 });
             planner->solve(ptc);

@@ -84,13 +84,17 @@ namespace ompl_mfa::planner
                             pdef->clearSolutionPaths();
                             if (planner->solve(test::untilExact(pdef)) == ob::PlannerStatus::EXACT_SOLUTION &&
                                 pdef->getSolutionPath()->check())
+                            {
                                 ++solved;
+                            }
                             pdef->clearSolutionPaths();
                         }
                     });
             }
             for (auto &thread : threads)
+            {
                 thread.join();
+            }
             EXPECT_EQ(solved, 6);
         }
 
@@ -107,7 +111,9 @@ namespace ompl_mfa::planner
                     while (!done)
                     {
                         for (const auto &[name, property] : planner->getPlannerProgressProperties())
+                        {
                             EXPECT_FALSE(property().empty()) << name;
+                        }
                         const double cost = planner->bestCost();
                         EXPECT_LE(cost, best);
                         best = cost;
@@ -135,11 +141,15 @@ namespace ompl_mfa::planner
                         planner->getPlannerData(data);
                         data.decoupleFromPlanner();
                         for (unsigned int i = 0; i < data.numVertices(); ++i)
+                        {
                             EXPECT_TRUE(problem_->si->satisfiesBounds(data.getVertex(i).getState()));
+                        }
                         planner->getSwarmPaths();
                         planner->getSlicePaths();
                         if (data.numVertices() > 0)
+                        {
                             ++asked;
+                        }
                     }
                 });
             // answered while the search runs, not only at its end

@@ -67,7 +67,9 @@ namespace ompl_mfa::text
         std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm"};
         EXPECT_EQ(text::suggestion("prn", known), "; did you mean 'prm'? accepted: rrtconnect, rrtstar, prm");
         while (known.size() <= 10)
+        {
             known.push_back("a" + std::to_string(known.size()));
+        }
         EXPECT_EQ(text::suggestion("prn", known), "; did you mean 'prm'?");
         EXPECT_EQ(text::suggestion("zzzzzz", known),
                   "; accepted: rrtconnect, rrtstar, prm, a3, a4, a5, a6, a7, a8, a9, a10");

@@ -80,7 +80,9 @@ namespace ompl_mfa
         virtual bool isBrighter(const Brightness &a, const Brightness &b) const
         {
             if (a.violation != b.violation)
+            {
                 return a.violation < b.violation;
+            }
             return a.cost < b.cost;
         }
     };

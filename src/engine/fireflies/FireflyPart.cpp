@@ -71,7 +71,9 @@ namespace ompl_mfa::engine::fireflies
     Readiness FireflyPart::readiness() const
     {
         if (!swarms_->any())
+        {
             return Readiness::Idle;
+        }
         return swarms_->waitForGuides() ? Readiness::Waiting : Readiness::Ready;
     }
 
@@ -79,14 +81,20 @@ namespace ompl_mfa::engine::fireflies
     {
         Swarm *swarm = swarms_->active();
         if (swarm == nullptr)
+        {
             return;
+        }
         const SearchContext &search = context();
         // a path that tightening cannot make the best is of no use
         if (swarms_->options().bounded && swarms_->window() == nullptr)
+        {
             swarm->setBound(
                 search.evaluator().withSlack(search.incumbent.bound(), search.settings.tightening ? SLACK : 1.0));
+        }
         if (swarms_->fly(work))
+        {
             swarms_->endGeneration(findings);
+        }
         proposeFirefly(findings);
     }
 
@@ -94,13 +102,17 @@ namespace ompl_mfa::engine::fireflies
     {
         std::optional<Proposal> firefly = swarms_->takeFirefly();
         if (!firefly)
+        {
             return;
+        }
         const Incumbent &incumbent = context().incumbent;
         const bool better = incumbent.improvedBy(firefly->cost->value());
         if (!better && (!context().settings.tightening ||
                         !context().objective().isCostBetterThan(ob::Cost(incumbent.cost()), *firefly->cost) ||
                         path::seemDeformable(context().evaluator(), firefly->path, incumbent.path())))
+        {
             return;
+        }
         findings.paths.push_back(std::move(*firefly));
     }
 

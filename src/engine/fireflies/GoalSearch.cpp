@@ -97,7 +97,9 @@ namespace ompl_mfa::engine::fireflies
         if (satisfied && si_->isValid(state_))
         {
             if (satisfying_.empty())
+            {
                 satisfying_.append(state_);
+            }
             return {0.0, 0.0};
         }
         return {std::max(distance, std::numeric_limits<double>::min()), 0.0};
@@ -115,7 +117,9 @@ namespace ompl_mfa::engine::fireflies
         }
         fireflies_.step(*this, [&] { return !satisfying_.empty() || stop(); });
         if (satisfying_.empty())
+        {
             return false;
+        }
         found.append(satisfying_.front());
         return true;
     }

@@ -63,7 +63,9 @@ namespace ompl_mfa::engine::fireflies
     {
         const Query &query = context().query;
         if (query.starts().empty() || query.hasEnoughGoals())
+        {
             return Readiness::Idle;
+        }
         // the more goal states there are, the less another is worth
         return query.goals().empty() || context().evaluator().work() >= due_ ? Readiness::Ready : Readiness::Idle;
     }
@@ -80,7 +82,9 @@ namespace ompl_mfa::engine::fireflies
         }
         const std::uint64_t before = search_->evaluations();
         if (search_->advance([&] { return evaluator.stopped(); }, findings.goals))
+        {
             due_ = evaluator.work() + PAUSE * ++found_;
+        }
         evaluator.addChecks(search_->evaluations() - before);
     }
 }  // namespace ompl_mfa::engine::fireflies

@@ -67,7 +67,9 @@ namespace ompl_mfa::engine::fireflies
         const Swarm *swarm = swarms_->current();
         if (swarm == nullptr || swarms_->mustChoose() || swarm->frame().slices() == 0 ||
             swarm->fireflies().evaluations() == 0)
+        {
             return Readiness::Idle;
+        }
         return swarms_->waitForGuides() ? Readiness::Waiting : Readiness::Ready;
     }
 
@@ -75,21 +77,29 @@ namespace ompl_mfa::engine::fireflies
     {
         Swarm *swarm = swarms_->active();
         if (swarm == nullptr)
+        {
             return;
+        }
         if (WindowSwarm *window = swarms_->window())
         {
             if (window->recombine(work))
+            {
                 swarms_->endGeneration(findings);
+            }
             return;
         }
         const Incumbent &incumbent = context().incumbent;
         path::Waypoints onSlices(context().chart->space());
         path::Waypoints spliced(context().chart->space());
         if (!incumbent.hasPath() || !swarm->frame().crossings(incumbent.path(), onSlices))
+        {
             onSlices.clear();
+        }
         const double bound =
             context().evaluator().withSlack(incumbent.bound(), context().settings.tightening ? SLACK : 1.0);
         if (swarm->recombine(onSlices, bound, work, spliced))
+        {
             propose(std::move(spliced), findings);
+        }
     }
 }  // namespace ompl_mfa::engine::fireflies

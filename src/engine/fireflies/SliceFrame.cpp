@@ -67,7 +67,9 @@ namespace ompl_mfa::engine::fireflies
         {
             const double denominator = 1.0 + from.dot(to);
             if (denominator < 1e-6)
+            {
                 return lateralBasis(to);
+            }
             const Eigen::VectorXd sum = from + to;
             // the basis has no part along from
             return basis - sum * (to.transpose() * basis) / denominator;
@@ -82,7 +84,9 @@ namespace ompl_mfa::engine::fireflies
         path::Waypoints axis(chart->space());
         axis.resize(segments + 1);
         for (unsigned int k = 1; k < segments; ++k)
+        {
             chart->displace(start, delta * (static_cast<double>(k) / segments), axis[k]);
+        }
         chart->space()->copyState(axis[0], start);
         chart->space()->copyState(axis[segments], goal);
         return {chart, std::move(axis), reach};
@@ -93,8 +97,10 @@ namespace ompl_mfa::engine::fireflies
       , axis_(std::move(axis))
     {
         if (axis_.size() < 2)
+        {
             throw std::invalid_argument("SliceFrame: an axis has at least two states, not " +
                                         std::to_string(axis_.size()));
+        }
         Eigen::Index dimension = 0;
         for (std::size_t k = 0; k + 2 < axis_.size(); ++k)
         {
@@ -104,7 +110,9 @@ namespace ompl_mfa::engine::fireflies
         lower_.resize(dimension);
         upper_.resize(dimension);
         for (std::size_t k = 0; k < slices_.size(); ++k)
+        {
             setBounds(k, reach);
+        }
     }
 
     SliceFrame::Slice SliceFrame::makeSlice(std::size_t k, Eigen::Index offset) const
@@ -160,7 +168,9 @@ namespace ompl_mfa::engine::fireflies
         path.resize(axis_.size());
         chart_->space()->copyState(path[0], axis_.front());
         for (std::size_t k = 0; k < slices_.size(); ++k)
+        {
             toState(k, x, path[k + 1], scratch);
+        }
         chart_->space()->copyState(path[slices_.size() + 1], axis_.back());
     }
 
@@ -191,16 +201,22 @@ namespace ompl_mfa::engine::fireflies
         for (std::size_t k = 0; k < slices_.size(); ++k)
         {
             if (slices_[k].along.isZero())
+            {
                 return false;
+            }
             const auto abscissa = [&](const ob::State *state)
             {
                 chart_->difference(axis_[k + 1], state, delta);
                 return slices_[k].along.dot(delta.head(n));
             };
             while (j + 1 < path.size() && abscissa(path[j + 1]) < 0.0)
+            {
                 ++j;
+            }
             if (j + 1 >= path.size())
+            {
                 return false;
+            }
             const double before = abscissa(path[j]);
             const double after = abscissa(path[j + 1]);
             const double fraction = before < 0.0 ? before / (before - after) : 0.0;

@@ -51,7 +51,9 @@ namespace ompl_mfa::engine::fireflies
     void SliceGraph::clear()
     {
         for (auto &candidates : candidates_)
+        {
             candidates.clear();
+        }
     }
 
     void SliceGraph::addCandidate(std::size_t k, const ob::State *state)
@@ -62,7 +64,9 @@ namespace ompl_mfa::engine::fireflies
     void SliceGraph::addCandidates(const path::Waypoints &path)
     {
         for (std::size_t k = 0; k < candidates_.size(); ++k)
+        {
             addCandidate(k, path[k + 1]);
+        }
     }
 
     bool SliceGraph::search(double bound, std::uint64_t work, path::Waypoints &path)
@@ -80,7 +84,9 @@ namespace ompl_mfa::engine::fireflies
                 for (const std::size_t to : next)
                 {
                     if (!graph_.addEdge(from, to, false))
+                    {
                         return false;
+                    }
                 }
             }
             evaluator_.addWork(layer.size() * next.size() / 2);
@@ -93,10 +99,14 @@ namespace ompl_mfa::engine::fireflies
             for (std::size_t i = 0; i < candidates.size(); ++i)
             {
                 if (evaluator_.bounds().canBeat(start, candidates[i], goal, bound))
+                {
                     next.push_back(graph_.addVertex(candidates[i], false));
+                }
             }
             if (!join())
+            {
                 return false;
+            }
         }
         next.assign(1, graph_.addVertex(goal, true));
         graph_.setGoal(next.front());

@@ -55,7 +55,9 @@ namespace ompl_mfa::engine::fireflies
         for (std::size_t k = 0; k < frame.slices(); ++k)
         {
             if (frame.sliceRange(k).second != frame.sliceRange(0).second)
+            {
                 return false;
+            }
         }
         return frame.dimension() > 0;
     }
@@ -73,7 +75,9 @@ namespace ompl_mfa::engine::fireflies
         // all waves take their values from one period of the first: m^2 sines would take too long
         std::vector<double> period(2 * static_cast<std::size_t>(m) + 2);
         for (std::size_t i = 0; i < period.size(); ++i)
+        {
             period[i] = norm * std::sin(boost::math::constants::pi<double>() * static_cast<double>(i) / pieces);
+        }
         for (Eigen::Index k = 0; k < m; ++k)
         {
             std::size_t i = 0;
@@ -81,7 +85,9 @@ namespace ompl_mfa::engine::fireflies
             {
                 i += static_cast<std::size_t>(k) + 1;
                 if (i >= period.size())
+                {
                     i -= period.size();
+                }
                 waves_(j, k) = period[i];
             }
         }
@@ -89,7 +95,9 @@ namespace ompl_mfa::engine::fireflies
         const Eigen::Map<const Eigen::MatrixXd> highest(frame.upper().data(), perSlice_, m);
         const Eigen::VectorXd height = highest.rowwise().maxCoeff().cwiseMax(-lowest.rowwise().minCoeff());
         for (Eigen::Index k = 0; k < m; ++k)
+        {
             upper_.segment(k * perSlice_, perSlice_) = height / (norm * static_cast<double>(k + 1));
+        }
         lower_ = -upper_;
     }
 

@@ -79,7 +79,9 @@ namespace ompl_mfa::engine::fireflies
         for (std::size_t k = 0; k < frame_.slices(); k += atOnce)
         {
             if (k > 0 && evaluator_.stopped())
+            {
                 return false;
+            }
             modes_->toCoordinates(x, k, std::min(atOnce, frame_.slices() - k), offsets);
         }
         return true;
@@ -88,18 +90,26 @@ namespace ompl_mfa::engine::fireflies
     Brightness SliceObjective::evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival)
     {
         if (!toOffsets(x, coordinates_))
+        {
             return {};
+        }
         frame_.toWaypoints(coordinates_, path_, scratch_);
         const ompl::base::Cost cost = evaluator_.cost(path_);
         if (evaluator_.interrupted())
+        {
             return {};
+        }
         if (!withinBound(cost.value()))
+        {
             return {std::numeric_limits<double>::infinity(), cost.value()};
+        }
         // a rival that is beyond the bound now has lost to every path within it
         const bool lost = rival != nullptr && !withinBound(rival->cost);
         const Brightness brightness = evaluator_.evaluate(path_, cost, lost ? nullptr : rival, stride_);
         if (brightness.isFeasible())
+        {
             validPath_(path_, brightness);
+        }
         return brightness;
     }
 
@@ -114,7 +124,9 @@ namespace ompl_mfa::engine::fireflies
     Brightness SliceObjective::underBound(const Brightness &brightness) const
     {
         if (withinBound(brightness.cost))
+        {
             return brightness;
+        }
         return {beyondBound_ + std::abs(brightness.cost - bound_), brightness.cost};
     }
 

@@ -79,14 +79,18 @@ namespace ompl_mfa::engine::fireflies
     void Swarm::setBound(double bound)
     {
         if (objective_.setBound(bound))
+        {
             fireflies_->orderChanged(objective_);
+        }
     }
 
     void Swarm::pathOf(Eigen::Index i, path::Waypoints &path) const
     {
         Eigen::VectorXd offsets = fireflies_->population().col(i);
         if (modes_)
+        {
             modes_->toCoordinates(fireflies_->population().col(i), offsets);
+        }
         Eigen::VectorXd scratch;
         frame_.toWaypoints(offsets, path, scratch);
     }
@@ -111,7 +115,9 @@ namespace ompl_mfa::engine::fireflies
         fresh->inject(old.best());
         const std::size_t elites = old.order().size() / 5;
         for (std::size_t i = 1; i < elites; ++i)
+        {
             fresh->inject(old.population().col(old.order()[i]));
+        }
         earlierEvaluations_ += old.evaluations();
         countedOperations_ = 0;
         fireflies_ = std::move(fresh);
@@ -127,7 +133,9 @@ namespace ompl_mfa::engine::fireflies
         for (std::size_t i = 0; i < count; ++i)
         {
             if (evaluator_.stopped() || !objective_.toOffsets(fireflies_->population().col(order[i]), coordinates_))
+            {
                 return false;
+            }
             for (std::size_t k = 0; k < frame_.slices(); ++k)
             {
                 frame_.toState(k, coordinates_, point_[0], scratch_);
@@ -137,12 +145,16 @@ namespace ompl_mfa::engine::fireflies
         for (std::size_t k = 0; k < frame_.slices(); ++k)
         {
             if (evaluator_.stopped())
+            {
                 return false;
+            }
             const auto [first, coordinates] = frame_.sliceRange(k);
             for (std::size_t i = 0; i < FRESH_CANDIDATES; ++i)
             {
                 for (Eigen::Index j = first; j < first + coordinates; ++j)
+                {
                     coordinates_[j] = frame_.lower()[j] + (frame_.upper()[j] - frame_.lower()[j]) * random_.uniform();
+                }
                 frame_.toState(k, coordinates_, point_[0], scratch_);
                 graph_.addCandidate(k, point_[0]);
             }
@@ -153,9 +165,13 @@ namespace ompl_mfa::engine::fireflies
     bool Swarm::recombine(const path::Waypoints &path, double bound, std::uint64_t work, path::Waypoints &found)
     {
         if (!addCandidates())
+        {
             return false;
+        }
         if (!path.empty())
+        {
             graph_.addCandidates(path);
+        }
         return graph_.search(bound, work, found);
     }
 
@@ -169,7 +185,9 @@ namespace ompl_mfa::engine::fireflies
     bool Swarm::step(const FireflyOptimizer::StopCondition &stop)
     {
         if (fireflies_->generation() >= fireflies_->settings().generations)
+        {
             beginEpoch();
+        }
         const bool completed = fireflies_->step(objective_,
                                                 [this, &stop]
                                                 {

@@ -74,7 +74,9 @@ namespace ompl_mfa::engine::fireflies
     {
         // where the stop condition left no time to lay one, there is none yet
         if (mustChoose())
+        {
             choose();
+        }
         return active_;
     }
 
@@ -102,19 +104,27 @@ namespace ompl_mfa::engine::fireflies
     {
         active_ = nullptr;
         if (std::exchange(windowServed_, false))
+        {
             window_.reset();
+        }
         layStraight();
         const bool windows = context_.incumbent.hasPath() && options_.windows;
         if (windows && (straight_.size() < 2 || chosen_++ % 2 == 0))
         {
             if (!window_ || window_->exhausted())
+            {
                 openWindow();
+            }
             if (window_)
+            {
                 active_ = &window_->swarm();
+            }
         }
         if (active_ == nullptr && !straight_.empty())
+        {
             active_ = straight_[context_.progress.iterations / (2UL * context_.settings.generations) % straight_.size()]
                           .get();
+        }
     }
 
     /* Swarms on straight axes are made when the first of them is to fly: as a rule a guide has found a path before. */
@@ -124,14 +134,20 @@ namespace ompl_mfa::engine::fireflies
         {
             const auto pair = pairs_.next(context_.query);
             if (!pair)
+            {
                 return;
+            }
             if (context_.evaluator().stopped())
+            {
                 return pairs_.putBack();
+            }
             SliceFrame frame = SliceFrame::straight(context_.chart, context_.query.starts()[pair->first],
                                                     context_.query.goals()[pair->second], context_.settings.slices + 1);
             ++laid_;
             if (frame.dimension() == 0)
+            {
                 continue;
+            }
             const auto validPath = [this](const path::Waypoints &path, const Brightness &brightness)
             { keepFirefly(path, brightness.cost); };
             straight_.push_back(std::make_unique<Swarm>(
@@ -171,7 +187,9 @@ namespace ompl_mfa::engine::fireflies
         const bool completed = active_->step([&] { return evaluator.work() >= limit || evaluator.stopped(); });
         context_.progress.evaluations += active_->evaluations() - before;
         if (completed && active_->fireflies().generation() > 0)
+        {
             ++context_.progress.iterations;
+        }
         return completed;
     }
 
@@ -179,7 +197,9 @@ namespace ompl_mfa::engine::fireflies
     void Swarms::endGeneration(Findings &findings)
     {
         if (!flyInWindow() || !pursueWindow(findings))
+        {
             choose();
+        }
     }
 
     /* What the fireflies of a window found is compared with the segment that is there, after tightening; then the
@@ -188,10 +208,14 @@ namespace ompl_mfa::engine::fireflies
     {
         path::PathEvaluator &evaluator = context_.evaluator();
         if (window_->found().empty() || evaluator.stopped())
+        {
             return false;
+        }
         // one that can be deformed into the segment that is there would only be tightened to that
         if (!context_.settings.tightening || !path::seemDeformable(evaluator, window_->found(), window_->segment()))
+        {
             findings.detours.push_back(window_->detour(PartKind::Fireflies));
+        }
         windowServed_ = true;
         return true;
     }
@@ -199,7 +223,9 @@ namespace ompl_mfa::engine::fireflies
     void Swarms::keepFirefly(const path::Waypoints &path, double cost)
     {
         if (!firefly_.path.empty() && !context_.objective().isCostBetterThan(ob::Cost(cost), *firefly_.cost))
+        {
             return;
+        }
         firefly_.path = path;
         firefly_.cost = ob::Cost(cost);
     }
@@ -207,7 +233,9 @@ namespace ompl_mfa::engine::fireflies
     std::optional<Proposal> Swarms::takeFirefly()
     {
         if (firefly_.path.empty())
+        {
             return std::nullopt;
+        }
         Proposal firefly = firefly_;
         firefly_.path.clear();
         return firefly;
@@ -217,7 +245,9 @@ namespace ompl_mfa::engine::fireflies
     {
         std::vector<path::Waypoints> paths;
         if (active_ == nullptr)
+        {
             return paths;
+        }
         path::Waypoints path(context_.chart->space());
         for (const unsigned int i : active_->fireflies().order())
         {
@@ -237,14 +267,20 @@ namespace ompl_mfa::engine::fireflies
             {
                 // of the others nobody knows which states are valid
                 if (!fireflies.brightness(i).isFeasible())
+                {
                     continue;
+                }
                 swarm.pathOf(i, path);
                 graph.addPath(window != nullptr ? window->pathWith(path) : path);
             }
         };
         for (const auto &swarm : straight_)
+        {
             add(*swarm, nullptr);
+        }
         if (window_)
+        {
             add(window_->swarm(), window_.get());
+        }
     }
 }  // namespace ompl_mfa::engine::fireflies

@@ -62,7 +62,9 @@ namespace ompl_mfa::engine::fireflies
       , found_(window_.path.space())
     {
         for (std::size_t i = window_.first; i <= window_.last; ++i)
+        {
             segment_.append(window_.path[i]);
+        }
         cost_ = evaluator_.cost(segment_);
         bound_ = boundOf(cost_);
     }
@@ -85,7 +87,9 @@ namespace ompl_mfa::engine::fireflies
         SliceFrame laid =
             frame == Frame::Straight ? result->straightFrame(chart, slices) : result->curvedFrame(chart, slices);
         if (laid.dimension() == 0)
+        {
             return nullptr;
+        }
         const auto validSegment = [found = result.get()](const path::Waypoints &segment, const Brightness &brightness)
         { found->take(segment, brightness.cost); };
         result->swarm_ = std::make_unique<Swarm>(std::move(laid), Swarm::Coordinates::Modes, evaluator, settings, seed,
@@ -137,7 +141,9 @@ namespace ompl_mfa::engine::fireflies
     bool WindowSwarm::take(const path::Waypoints &segment, double cost)
     {
         if (!found_.empty() && !evaluator_.objective()->isCostBetterThan(ob::Cost(cost), ob::Cost(foundCost_)))
+        {
             return false;
+        }
         found_ = segment;
         foundCost_ = cost;
         return true;

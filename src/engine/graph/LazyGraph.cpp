@@ -107,11 +107,15 @@ namespace ompl_mfa::engine::graph
     {
         ob::Cost cost;
         if (!evaluator_.motionCost(states_[from], states_[to], cost))
+        {
             return false;
+        }
         // an objective calls itself symmetric by default where the space is, mechanical work too
         ob::Cost reverse = cost;
         if (bothWays && !evaluator_.bounds().certain() && !evaluator_.motionCost(states_[to], states_[from], reverse))
+        {
             return false;
+        }
         acyclic_ = acyclic_ && from < to && !bothWays;
         begun_ = false;
         const auto add = [&](std::size_t a, std::size_t b, ob::Cost ab)
@@ -124,7 +128,9 @@ namespace ompl_mfa::engine::graph
         };
         add(from, to, cost);
         if (bothWays)
+        {
             add(to, from, reverse);
+        }
         checks_.push_back(Validity::Unknown);
         return true;
     }
@@ -136,7 +142,9 @@ namespace ompl_mfa::engine::graph
         for (std::size_t v = 0; v < vertices_.size(); ++v)
         {
             if (!kept[v] && !isEnd(v))
+            {
                 continue;
+            }
             numbers[v] = static_cast<Index>(vertices.size());
             vertices.emplace_back();
             vertices.back().goal = vertices_[v].goal;
@@ -151,13 +159,19 @@ namespace ompl_mfa::engine::graph
         for (const Edge &edge : edges_)
         {
             if (++handled % EDGES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+            {
                 return false;
+            }
             const Index from = numbers[edge.from];
             const Index to = numbers[edge.to];
             if (from == NONE || to == NONE || checks_[edge.check] == Validity::Invalid)
+            {
                 continue;
+            }
             if (edge.check != check)
+            {
                 checks.push_back(checks_[edge.check]);
+            }
             check = edge.check;
             vertices[from].out.push_back(static_cast<Index>(edges.size()));
             vertices[to].in.push_back(static_cast<Index>(edges.size()));
@@ -170,13 +184,17 @@ namespace ompl_mfa::engine::graph
         for (std::size_t v = 0; v < numbers.size(); ++v)
         {
             if (numbers[v] != NONE && numbers[v] != v)
+            {
                 states_.space()->copyState(states_[numbers[v]], states_[v]);
+            }
         }
         states_.resize(vertices_.size());
         for (std::vector<End> *ends : {&starts_, &goals_})
         {
             for (End &end : *ends)
+            {
                 end.vertex = numbers[end.vertex];
+            }
         }
         begun_ = false;
         return true;
@@ -187,7 +205,9 @@ namespace ompl_mfa::engine::graph
         std::vector<std::size_t> vertices;
         vertices.reserve(ends.size());
         for (const End &end : ends)
+        {
             vertices.push_back(end.vertex);
+        }
         return vertices;
     }
 
@@ -207,7 +227,9 @@ namespace ompl_mfa::engine::graph
         for (const Edge &edge : edges_)
         {
             if (checks_[edge.check] == Validity::Valid)
+            {
                 valid.emplace_back(edge.from, edge.to);
+            }
         }
         return valid;
     }
@@ -256,10 +278,14 @@ namespace ompl_mfa::engine::graph
         const std::uint64_t before = evaluator_.work();
         begun_ = false;
         if (!seedGoals())
+        {
             return false;
+        }
         const bool inOrder = acyclic_ && !evaluator_.bounds().monotone();
         if (!(inOrder ? backwardInOrder() : backwardBestFirst(bound)))
+        {
             return false;
+        }
         backwardWork_ = evaluator_.work() - before;
         forwardWork_ = 0;
         invalid_ = 0;
@@ -268,10 +294,14 @@ namespace ompl_mfa::engine::graph
         {
             const Vertex &vertex = vertices_[starts_[i].vertex];
             if (!vertex.reaches || vertex.validity == Validity::Invalid)
+            {
                 continue;
+            }
             const double key = combine(starts_[i].cost, vertex.costToGo);
             if (!exact_ || canBeat(key, bound))
+            {
                 push({key, static_cast<Index>(i), Step::Begin});
+            }
         }
         begun_ = true;
         return true;
@@ -283,14 +313,18 @@ namespace ompl_mfa::engine::graph
         for (std::size_t v = 0; v < vertices_.size(); ++v)
         {
             if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+            {
                 return false;
+            }
             Vertex &vertex = vertices_[v];
             vertex.reached = false;
             vertex.expansions = 0;
             vertex.next = NONE;
             vertex.reaches = vertex.goal != NONE && vertex.validity != Validity::Invalid;
             if (vertex.reaches)
+            {
                 vertex.costToGo = goals_[vertex.goal].cost;
+            }
         }
         return true;
     }
@@ -300,11 +334,17 @@ namespace ompl_mfa::engine::graph
         for (std::size_t v = vertices_.size(); v-- > 0;)
         {
             if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+            {
                 return false;
+            }
             if (!vertices_[v].reaches)
+            {
                 continue;
+            }
             for (const Index e : vertices_[v].in)
+            {
                 relax(e);
+            }
         }
         evaluator_.addWork(1 + edges_.size() / EDGES_PER_WORK);
         return true;
@@ -316,7 +356,9 @@ namespace ompl_mfa::engine::graph
         for (const End &start : starts_)
         {
             if (better(start.cost, best))
+            {
                 best = start.cost;
+            }
         }
         return best;
     }
@@ -331,7 +373,9 @@ namespace ompl_mfa::engine::graph
         for (const End &goal : goals_)
         {
             if (vertices_[goal.vertex].reaches)
+            {
                 push({vertices_[goal.vertex].costToGo, goal.vertex, Step::Finish});
+            }
         }
         std::uint64_t handled = 0;
         std::uint64_t popped = 0;
@@ -339,11 +383,15 @@ namespace ompl_mfa::engine::graph
         while (!queue_.empty())
         {
             if (++popped % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+            {
                 return false;
+            }
             const QueueEntry entry = pop();
             Vertex &vertex = vertices_[entry.index];
             if (better(vertex.costToGo, entry.key))
+            {
                 continue;
+            }
             if (vertex.expansions >= expansions)
             {
                 settled = settled && monotone;
@@ -355,7 +403,9 @@ namespace ompl_mfa::engine::graph
                 ++handled;
                 const Edge &edge = edges_[e];
                 if ((!monotone || canBeat(combine(initial, combine(edge.cost, vertex.costToGo)), bound)) && relax(e))
+                {
                     push({vertices_[edge.from].costToGo, edge.from, Step::Move});
+                }
             }
         }
         evaluator_.addWork(1 + handled / EDGES_PER_WORK);
@@ -371,11 +421,17 @@ namespace ompl_mfa::engine::graph
             for (std::size_t v = 0; v < vertices_.size(); ++v)
             {
                 if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+                {
                     return false;
+                }
                 if (!vertices_[v].reaches)
+                {
                     continue;
+                }
                 for (const Index e : vertices_[v].in)
+                {
                     changed = relax(e) || changed;
+                }
             }
             evaluator_.addWork(1 + edges_.size() / EDGES_PER_WORK);
             if (changed && improvesInCycles())
@@ -400,7 +456,9 @@ namespace ompl_mfa::engine::graph
                 v = edges_[vertices_[v].next].to;
             }
             if (walks_[v] == first)
+            {
                 return true;
+            }
         }
         return false;
     }
@@ -411,10 +469,14 @@ namespace ompl_mfa::engine::graph
         const Edge &edge = edges_[index];
         Vertex &vertex = vertices_[edge.from];
         if (checks_[edge.check] == Validity::Invalid || vertex.validity == Validity::Invalid)
+        {
             return false;
+        }
         const double cost = combine(edge.cost, vertices_[edge.to].costToGo);
         if (vertex.reaches && !better(cost, vertex.costToGo))
+        {
             return false;
+        }
         vertex.reaches = true;
         vertex.costToGo = cost;
         vertex.next = index;
@@ -425,7 +487,9 @@ namespace ompl_mfa::engine::graph
     {
         Vertex &vertex = vertices_[index];
         if (vertex.validity == Validity::Unknown)
+        {
             vertex.validity = evaluator_.checkState(states_[index]) ? Validity::Valid : Validity::Invalid;
+        }
         return vertex.validity == Validity::Valid;
     }
 
@@ -443,15 +507,23 @@ namespace ompl_mfa::engine::graph
             const Edge &edge = edges_[vertices_[v].parent];
             Validity &validity = checks_[edge.check];
             if (validity == Validity::Valid)
+            {
                 continue;
+            }
             if (evaluator_.work() >= limit)
+            {
                 return Outcome::Stopped;
+            }
             const bool valid = evaluator_.checkMotion(states_[edge.from], states_[edge.to]);
             if (evaluator_.interrupted())
+            {
                 return Outcome::Stopped;
+            }
             validity = valid ? Validity::Valid : Validity::Invalid;
             if (!valid)
+            {
                 return Outcome::Stale;
+            }
         }
         return Outcome::Found;
     }
@@ -466,7 +538,9 @@ namespace ompl_mfa::engine::graph
         {
             const double key = combine(costToCome, goals_[vertex.goal].cost);
             if (canBeat(key, bound))
+            {
                 push({key, vertex.goal, Step::Finish});
+            }
         }
         for (const Index e : vertex.out)
         {
@@ -474,19 +548,27 @@ namespace ompl_mfa::engine::graph
             const Vertex &to = vertices_[edge.to];
             if (to.reached || !to.reaches || to.validity == Validity::Invalid ||
                 checks_[edge.check] == Validity::Invalid)
+            {
                 continue;
+            }
             const double key = combine(combine(costToCome, edge.cost), to.costToGo);
             if (!exact_ || canBeat(key, bound))
+            {
                 push({key, e, Step::Move});
+            }
         }
     }
 
     LazyGraph::Outcome LazyGraph::beginAt(const End &start, double bound)
     {
         if (vertices_[start.vertex].reached)
+        {
             return Outcome::Passed;
+        }
         if (checkVertex(start.vertex))
+        {
             reach(start.vertex, NONE, start.cost, bound);
+        }
         return Outcome::Passed;
     }
 
@@ -494,18 +576,24 @@ namespace ompl_mfa::engine::graph
     {
         const Edge &edge = edges_[index];
         if (vertices_[edge.to].reached || vertices_[edge.to].validity == Validity::Invalid)
+        {
             return Outcome::Passed;
+        }
         Validity &validity = checks_[edge.check];
         if (validity == Validity::Unknown)
         {
             const bool valid = screenEdge(edge);
             if (evaluator_.interrupted())
+            {
                 return Outcome::Stopped;
+            }
             validity = valid ? Validity::Screened : Validity::Invalid;
             invalid_ += valid ? 0 : 1;
         }
         if (validity == Validity::Invalid)
+        {
             return Outcome::Blocked;
+        }
         reach(edge.to, index, combine(vertices_[edge.from].costToCome, edge.cost), bound);
         return Outcome::Passed;
     }
@@ -532,19 +620,29 @@ namespace ompl_mfa::engine::graph
         {
             // once the most promising step cannot beat the bound, none can
             if (queue_.empty() || (exact_ && !canBeat(queue_.front().key, bound)))
+            {
                 return Outcome::Exhausted;
+            }
             if (handled % EDGES_PER_WORK == 0)
+            {
                 evaluator_.addWork(1);
+            }
             if (evaluator_.work() >= limit || (handled % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped()))
+            {
                 return Outcome::Stopped;
+            }
             const QueueEntry entry = pop();
             outcome = take(entry, bound, limit);
             forwardWork_ = evaluator_.work() - before;
             if (outcome == Outcome::Blocked)
+            {
                 outcome = invalid_ >= STALE_AFTER && forwardWork_ >= backwardWork_ ? Outcome::Stale : Outcome::Passed;
+            }
             // what was cut short is taken up by the next search, what was found may be asked for again
             if (outcome == Outcome::Stopped || outcome == Outcome::Found)
+            {
                 push(entry);
+            }
             if (outcome == Outcome::Found)
             {
                 found_ = goals_[entry.index].vertex;
@@ -574,7 +672,9 @@ namespace ompl_mfa::engine::graph
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
             if ((!begun_ || isWorse(bound, bound_)) && !begin(bound))
+            {
                 return false;
+            }
             bound_ = bound;
             // in a large graph the backward pass alone may use up the work: the motions still get a share of their own
             switch (forward(bound, std::max(limit, evaluator_.work() + work / 2)))

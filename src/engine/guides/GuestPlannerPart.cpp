@@ -120,7 +120,9 @@ namespace ompl_mfa::engine::guides
               , guard_(si->getStateSpace())
             {
                 if (goal_->hasType(ob::GOAL_REGION))
+                {
                     setThreshold(goal_->as<ob::GoalRegion>()->getThreshold());
+                }
             }
 
             double distanceGoal(const ob::State *state) const override
@@ -156,7 +158,9 @@ namespace ompl_mfa::engine::guides
       , planner_(allocator(si_))
     {
         if (!planner_)
+        {
             throw ompl::Exception("MFA", "the allocator of the guide planner returned no planner");
+        }
         pdef_->setGoal(goals_);
         pdef_->setOptimizationObjective(evaluator_.objective());
         planner_->setProblemDefinition(pdef_);
@@ -183,9 +187,13 @@ namespace ompl_mfa::engine::guides
     {
         const Query &query = context().query;
         for (std::size_t i = pdef_->getStartStateCount(); i < query.starts().size(); ++i)
+        {
             pdef_->addStartState(query.starts()[i]);
+        }
         for (std::size_t i = goals_->getStateCount(); i < query.goals().size(); ++i)
+        {
             goals_->addState(query.goals()[i]);
+        }
     }
 
     ob::PlannerStatus GuestPlannerPart::run(std::uint64_t work)
@@ -196,13 +204,17 @@ namespace ompl_mfa::engine::guides
             [&]
             {
                 if (++asked + *checked_ >= work)
+                {
                     return true;
+                }
                 // planners with several threads ask from all of them
                 const std::lock_guard<std::mutex> lock(stopMutex_);
                 return evaluator_.stopped();
             });
         if (!planner_->isSetup())
+        {
             planner_->setup();
+        }
         const ob::PlannerStatus status = planner_->solve(turnOver);
         const std::uint64_t done = asked + *checked_;
         evaluator_.addWork(asked);
@@ -223,15 +235,21 @@ namespace ompl_mfa::engine::guides
     bool GuestPlannerPart::search(double /*bound*/, std::uint64_t work, path::Waypoints &path)
     {
         if (readiness() == Readiness::Idle)
+        {
             return false;
+        }
         addEnds();
         const bool fresh = std::exchange(fresh_, false);
         const ob::PlannerStatus status = run(pdef_->hasExactSolution() ? work : std::max(work, fruitless_ / FRUITLESS));
         const bool found = takePath(path);
         if (found)
+        {
             fruitless_ = 0;
+        }
         if (!returnedEarly_)
+        {
             return found;
+        }
         const bool searched = status == ob::PlannerStatus::TIMEOUT ||
                               status == ob::PlannerStatus::APPROXIMATE_SOLUTION ||
                               status == ob::PlannerStatus::EXACT_SOLUTION;
@@ -248,16 +266,24 @@ namespace ompl_mfa::engine::guides
     bool GuestPlannerPart::takePath(path::Waypoints &path)
     {
         if (!pdef_->hasExactSolution())
+        {
             return false;
+        }
         const auto found = std::dynamic_pointer_cast<og::PathGeometric>(pdef_->getSolutionPath());
         if (!found || found->getStateCount() < 2)
+        {
             return false;
+        }
         path.clear();
         for (const ob::State *state : found->getStates())
+        {
             path.append(state);
+        }
         const ob::Cost cost = evaluator_.cost(path);
         if ((taken_ && !evaluator_.objective()->isCostBetterThan(cost, *taken_)) || !holds(path))
+        {
             return false;
+        }
         taken_ = cost;
         return true;
     }
@@ -268,13 +294,19 @@ namespace ompl_mfa::engine::guides
         const auto &space = evaluator_.spaceInformation()->getStateSpace();
         bool begins = false;
         for (std::size_t i = 0; i < query.starts().size(); ++i)
+        {
             begins = begins || space->equalStates(path.front(), query.starts()[i]);
+        }
         if (!begins || !goals_->isSatisfied(path.back()))
+        {
             return false;
+        }
         for (std::size_t i = 0; i < path.size(); ++i)
         {
             if (!space->satisfiesBounds(path[i]))
+            {
                 return false;
+            }
         }
         return evaluator_.checkPath(path);
     }

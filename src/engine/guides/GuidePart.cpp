@@ -44,6 +44,8 @@ namespace ompl_mfa::engine::guides
     {
         path::Waypoints path(context().chart->space());
         if (search(context().incumbent.bound(), work, path))
+        {
             propose(std::move(path), findings);
+        }
     }
 }  // namespace ompl_mfa::engine::guides

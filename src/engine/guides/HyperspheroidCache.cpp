@@ -65,10 +65,14 @@ namespace ompl_mfa::engine::guides
     {
         const std::size_t index = pair % capacity_;
         if (index >= slots_.size())
+        {
             slots_.resize(index + 1);
+        }
         Slot &slot = slots_[index];
         if (slot.hyperspheroid && slot.focus1 == focus1 && slot.focus2 == focus2)
+        {
             return slot.hyperspheroid;
+        }
         size_ += slot.hyperspheroid ? 0 : 1;
         slot.focus1 = focus1;
         slot.focus2 = focus2;

@@ -65,17 +65,23 @@ namespace ompl_mfa::engine::guides
         bool boundedByPositions(const ob::StateSpace &space)
         {
             if (path::isExactly<ob::RealVectorStateSpace, ob::SO2StateSpace, ob::SO3StateSpace>(space))
+            {
                 return true;
+            }
             if (!path::isExactly<ob::CompoundStateSpace, ob::SE2StateSpace, ob::SE3StateSpace, ob::DubinsStateSpace,
                                  ob::ReedsSheppStateSpace>(space))
+            {
                 return false;
+            }
             const auto &compound = *space.as<ob::CompoundStateSpace>();
             const bool curved = path::isExactly<ob::DubinsStateSpace, ob::ReedsSheppStateSpace>(space);
             for (unsigned int i = 0; i < compound.getSubspaceCount(); ++i)
             {
                 const double weight = compound.getSubspaceWeight(i);
                 if (weight <= 0.0 || (curved && weight > 1.0) || !boundedByPositions(*compound.getSubspace(i)))
+                {
                     return false;
+                }
             }
             return true;
         }
@@ -91,10 +97,14 @@ namespace ompl_mfa::engine::guides
                 const ob::StateSampler &a = *set;
                 const ob::StateSampler &b = *byDefault;
                 if (typeid(a) != typeid(b))
+                {
                     return true;
+                }
             }
             if (!space.isCompound())
+            {
                 return false;
+            }
             const auto &parts = space.as<ob::CompoundStateSpace>()->getSubspaces();
             return std::any_of(parts.begin(), parts.end(), [](const auto &part) { return hasSamplerOfUser(*part); });
         }
@@ -129,9 +139,13 @@ namespace ompl_mfa::engine::guides
             takenStarts_ = takenGoals_ = 0;
         }
         for (; takenStarts_ < starts.size(); ++takenStarts_)
+        {
             starts_.push_back(static_cast<std::uint32_t>(takenStarts_));
+        }
         for (; takenGoals_ < goals.size(); ++takenGoals_)
+        {
             goals_.push_back(static_cast<std::uint32_t>(takenGoals_));
+        }
         bound_ = bound;
     }
 
@@ -146,7 +160,9 @@ namespace ompl_mfa::engine::guides
                 const auto k = static_cast<std::size_t>(last > 0 ? rng_.uniformInt(0, last) : 0);
                 end = ends[k];
                 if (canBeat(end))
+                {
                     return true;
+                }
                 ends[k] = ends.back();
                 ends.pop_back();
             }
@@ -166,13 +182,17 @@ namespace ompl_mfa::engine::guides
         chart_->positions(goals[goal], focus2_);
         const auto &hyperspheroid = hyperspheroids_.of(goal * starts.size() + start, focus1_, focus2_);
         if (bound <= hyperspheroid->getMinTransverseDiameter())
+        {
             return false;
+        }
         hyperspheroid->setTransverseDiameter(bound);
         for (unsigned int k = 0; k < TRIES; ++k)
         {
             rng_.uniformProlateHyperspheroid(hyperspheroid, values_.data());
             if (chart_->setPositions(values_, state))
+            {
                 return true;
+            }
         }
         return false;
     }
@@ -200,19 +220,31 @@ namespace ompl_mfa::engine::guides
             std::uint32_t start = 0;
             std::uint32_t goal = 0;
             if (!pickPair(bound, start, goal))
+            {
                 return false;
+            }
             if (byUser)
+            {
                 sampleByUser(state);
+            }
             else if (!direct_)
+            {
                 chart_->sampleUniform(rng_, state);
+            }
             else if (samplePositions(starts, start, goals, goal, bound, state))
+            {
                 chart_->sampleRotations(rng_, state);
+            }
             else
+            {
                 continue;
+            }
             lowerBound_ =
                 bounds_.combine(bounds_.lowerBoundTo(starts[start], state), bounds_.lowerBoundFrom(state, goals[goal]));
             if (bounds_.canBeat(lowerBound_, bound))
+            {
                 return true;
+            }
         }
         return false;
     }

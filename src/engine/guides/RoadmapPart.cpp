@@ -128,7 +128,9 @@ namespace ompl_mfa::engine::guides
         {
             if (!graph_.addEdge(neighbour, vertex, bothWays) ||
                 (!bothWays && !graph_.addEdge(vertex, neighbour, false)))
+            {
                 break;
+            }
         }
         nearest_->add(vertex);
         ++indexed_;
@@ -141,9 +143,13 @@ namespace ompl_mfa::engine::guides
         const Query &query = context().query;
         const std::size_t before = graph_.edges();
         for (; starts_ < query.starts().size() && !evaluator_.stopped(); ++starts_)
+        {
             graph_.setStart(add(query.starts()[starts_], UNKNOWN));
+        }
         for (; goals_ < query.goals().size() && !evaluator_.stopped(); ++goals_)
+        {
             graph_.setGoal(add(query.goals()[goals_], UNKNOWN));
+        }
         endEdges_ += graph_.edges() - before;
         return starts_ == query.starts().size() && goals_ == query.goals().size();
     }
@@ -160,7 +166,9 @@ namespace ompl_mfa::engine::guides
             }
             evaluator_.addWork(1);
             if (!sampler_.sample(query.starts(), query.goals(), bound, sample_) || !evaluator_.checkState(sample_))
+            {
                 continue;
+            }
             add(sample_, sampler_.lowerBound());
             --missing_;
         }
@@ -171,7 +179,9 @@ namespace ompl_mfa::engine::guides
     {
         const auto &objective = *evaluator_.objective();
         if (!found_)
+        {
             return evaluator_.withSlack(bound, SLACK);
+        }
         // what beats a path of infinite cost is what beats the worst of all finite ones
         const double best = objective.isFinite(ob::Cost(best_)) ? best_ : path::worstFiniteCost(objective);
         const double slack = evaluator_.withSlack(bound, SLACK);
@@ -187,18 +197,26 @@ namespace ompl_mfa::engine::guides
         const ob::OptimizationObjective &objective = *evaluator_.objective();
         Promise &promise = promises_[vertex];
         if (!std::isnan(promise.lowerBound) && bounds.canBeat(promise.lowerBound, bound))
+        {
             return true;
+        }
         const auto take = [&objective](double cost, double &best)
         {
             if (std::isnan(best) || objective.isCostBetterThan(ob::Cost(cost), ob::Cost(best)))
+            {
                 best = cost;
+            }
         };
         const ob::State *state = graph_.state(vertex);
         evaluator_.addWork(query.starts().size() + query.goals().size() - promise.starts - promise.goals);
         for (; promise.starts < query.starts().size(); ++promise.starts)
+        {
             take(bounds.lowerBoundTo(query.starts()[promise.starts], state), promise.to);
+        }
         for (; promise.goals < query.goals().size(); ++promise.goals)
+        {
             take(bounds.lowerBoundFrom(state, query.goals()[promise.goals]), promise.from);
+        }
         promise.lowerBound = bounds.combine(promise.to, promise.from);
         return bounds.canBeat(promise.lowerBound, bound);
     }
@@ -207,19 +225,25 @@ namespace ompl_mfa::engine::guides
     bool RoadmapPart::prune(double bound)
     {
         if (std::isinf(bound) || bound == pruned_ || !evaluator_.bounds().admissible())
+        {
             return true;
+        }
         std::vector<bool> kept(graph_.size());
         std::size_t useless = 0;
         for (std::size_t v = 0; v < kept.size(); ++v)
         {
             if (v % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+            {
                 return false;
+            }
             kept[v] = graph_.isEnd(v) || isUseful(v, bound);
             useless += kept[v] ? 0 : 1;
         }
         pruned_ = bound;
         if (USELESS_SHARE * useless < kept.size() || useless == 0)
+        {
             return true;
+        }
         if (!graph_.retain(kept))
         {
             pruned_ = std::numeric_limits<double>::infinity();
@@ -229,7 +253,9 @@ namespace ompl_mfa::engine::guides
         for (std::size_t v = 0; v < kept.size(); ++v)
         {
             if (kept[v])
+            {
                 promises_[size++] = promises_[v];
+            }
         }
         promises_.resize(size);
         nearest_->clear();
@@ -243,7 +269,9 @@ namespace ompl_mfa::engine::guides
         for (; indexed_ < graph_.size(); ++indexed_)
         {
             if (indexed_ % VERTICES_BETWEEN_STOPS == 0 && evaluator_.stopped())
+            {
                 return false;
+            }
             nearest_->add(indexed_);
             evaluator_.addWork(NEIGHBOUR_WORK);
         }
@@ -254,7 +282,9 @@ namespace ompl_mfa::engine::guides
     bool RoadmapPart::makeRoom(double bound)
     {
         if (!prune(searchBound(bound)))
+        {
             return false;
+        }
         if (!isFull())
         {
             missing_ = batch_;
@@ -281,7 +311,9 @@ namespace ompl_mfa::engine::guides
     Readiness RoadmapPart::readiness() const
     {
         if (!context().hasEnds())
+        {
             return Readiness::Idle;
+        }
         // where checks are cheap, their number says little
         const bool early = afterTrees_ && !context().incumbent.hasFinitePath() &&
                            (evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME);
@@ -291,15 +323,21 @@ namespace ompl_mfa::engine::guides
     bool RoadmapPart::search(double bound, std::uint64_t work, path::Waypoints &path)
     {
         if (!context().hasEnds())
+        {
             return false;
+        }
         const std::uint64_t limit = evaluator_.work() + work;
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
             if ((exhausted_ && !makeRoom(bound)) || !indexVertices() || !addEnds())
+            {
                 return false;
+            }
             addBatch(bound, limit);
             if (missing_ > 0)
+            {
                 return false;
+            }
             if (graph_.search(searchBound(bound), limit > evaluator_.work() ? limit - evaluator_.work() : 0, path))
             {
                 best_ = graph_.cost();
@@ -315,12 +353,20 @@ namespace ompl_mfa::engine::guides
     {
         const std::size_t first = graph.states.size();
         for (std::size_t v = 0; v < graph_.size(); ++v)
+        {
             graph.states.append(graph_.state(v));
+        }
         for (const auto &[from, to] : graph_.validEdges())
+        {
             graph.edges.emplace_back(first + from, first + to);
+        }
         for (const std::size_t start : graph_.starts())
+        {
             graph.starts.push_back(first + start);
+        }
         for (const std::size_t goal : graph_.goals())
+        {
             graph.goals.push_back(first + goal);
+        }
     }
 }  // namespace ompl_mfa::engine::guides

@@ -69,7 +69,9 @@ namespace ompl_mfa::engine::guides
       , probe_{nullptr, nullptr, 0}
     {
         for (Tree *tree : {&startTree_, &goalTree_})
+        {
             tree->nearest.reset(ompl::tools::SelfConfig::getDefaultNearestNeighbors<Vertex *>(&context.owner));
+        }
         // distances are taken along the motions of each tree, away from the start or toward the goal
         startTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
                                                 { return chart_->distance(a->state, b->state); });
@@ -89,7 +91,9 @@ namespace ompl_mfa::engine::guides
     {
         tree.nearest->clear();
         for (const auto &vertex : tree.vertices)
+        {
             chart_->space()->freeState(vertex->state);
+        }
         tree.vertices.clear();
         tree.offered = 0;
     }
@@ -115,16 +119,22 @@ namespace ompl_mfa::engine::guides
         const Query &query = context().query;
         PairBounds &pairs = sampler_.pairs();
         if (!std::isinf(bound))
+        {
             pairs.update(query.starts(), query.goals());
+        }
         for (; startTree_.offered < query.starts().size(); ++startTree_.offered)
         {
             if (pairs.startCanBeat(startTree_.offered, bound))
+            {
                 addVertex(startTree_, query.starts()[startTree_.offered], nullptr);
+            }
         }
         for (; goalTree_.offered < query.goals().size(); ++goalTree_.offered)
         {
             if (pairs.goalCanBeat(goalTree_.offered, bound))
+            {
                 addVertex(goalTree_, query.goals()[goalTree_.offered], nullptr);
+            }
         }
     }
 
@@ -165,7 +175,9 @@ namespace ompl_mfa::engine::guides
         const double distance = chart_->distance(from, to);
         const bool reach = distance <= range_;
         if (reach)
+        {
             space->copyState(step_, target);
+        }
         else
         {
             chart_->interpolate(from, to, fromStart ? range_ / distance : 1.0 - range_ / distance, step_);
@@ -174,7 +186,9 @@ namespace ompl_mfa::engine::guides
         const bool valid = fromStart ? evaluator_.checkMotion(near->state, step_)
                                      : evaluator_.checkState(step_) && evaluator_.checkMotion(step_, near->state);
         if (!valid)
+        {
             return Extension::Trapped;
+        }
         added = addVertex(tree, step_, near);
         return reach ? Extension::Reached : Extension::Advanced;
     }
@@ -183,11 +197,15 @@ namespace ompl_mfa::engine::guides
     {
         path.clear();
         for (; fromStart != nullptr; fromStart = fromStart->parent)
+        {
             path.append(fromStart->state);
+        }
         path.reverse();
         // both trees hold the state at which they met
         for (fromGoal = fromGoal->parent; fromGoal != nullptr; fromGoal = fromGoal->parent)
+        {
             path.append(fromGoal->state);
+        }
     }
 
     bool TreePart::iterate(double bound, path::Waypoints &path)
@@ -198,18 +216,26 @@ namespace ompl_mfa::engine::guides
         evaluator_.addWork(1);
         if (startTree_.vertices.empty() || goalTree_.vertices.empty() ||
             !sampler_.sample(query.starts(), query.goals(), bound, sample_))
+        {
             return false;
+        }
         Tree &tree = fromStart ? startTree_ : goalTree_;
         Tree &other = fromStart ? goalTree_ : startTree_;
         Vertex *added = nullptr;
         if (extend(tree, fromStart, sample_, added) == Extension::Trapped)
+        {
             return false;
+        }
         Vertex *met = nullptr;
         Extension extension = Extension::Advanced;
         while (extension == Extension::Advanced && !evaluator_.interrupted())
+        {
             extension = extend(other, !fromStart, added->state, met);
+        }
         if (extension != Extension::Reached)
+        {
             return false;
+        }
         metFromStart_ = fromStart ? added : met;
         metFromGoal_ = fromStart ? met : added;
         join(metFromStart_, metFromGoal_, path);
@@ -234,16 +260,22 @@ namespace ompl_mfa::engine::guides
     bool TreePart::search(double bound, std::uint64_t work, path::Waypoints &path)
     {
         if (!context().hasEnds())
+        {
             return false;
+        }
         // only now: until then the trees show what found the path
         if (metFromStart_ != nullptr)
+        {
             restart();
+        }
         addRoots(bound);
         const std::uint64_t limit = evaluator_.work() + work;
         while (evaluator_.work() < limit && !evaluator_.stopped())
         {
             if (iterate(bound, path))
+            {
                 return true;
+            }
         }
         return false;
     }
@@ -258,11 +290,17 @@ namespace ompl_mfa::engine::guides
                 const std::size_t here = first + vertex->number;
                 graph.states.append(vertex->state);
                 if (vertex->parent == nullptr)
+                {
                     (fromStart ? graph.starts : graph.goals).push_back(here);
+                }
                 else if (fromStart)
+                {
                     graph.edges.emplace_back(first + vertex->parent->number, here);
+                }
                 else
+                {
                     graph.edges.emplace_back(here, first + vertex->parent->number);
+                }
             }
             return first;
         };
@@ -270,6 +308,8 @@ namespace ompl_mfa::engine::guides
         const std::size_t firstOfGoal = add(goalTree_, false);
         // both trees have the state at which they met; the motion on from there joins them
         if (metFromStart_ != nullptr && metFromGoal_->parent != nullptr)
+        {
             graph.edges.emplace_back(firstOfStart + metFromStart_->number, firstOfGoal + metFromGoal_->parent->number);
+        }
     }
 }  // namespace ompl_mfa::engine::guides

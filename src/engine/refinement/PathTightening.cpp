@@ -96,7 +96,9 @@ namespace ompl_mfa::engine::refinement
         costs_.clear();
         steps_.clear();
         for (std::size_t i = 0; i < path_.size(); ++i)
+        {
             steps_.push_back(firstStep(i));
+        }
         converged_ = path_.size() < 2;
         idleRounds_ = 0;
         payoffs_ = {};
@@ -106,7 +108,9 @@ namespace ompl_mfa::engine::refinement
     {
         workLimit_ = evaluator_.work() + work;
         if (!completeCosts())
+        {
             return false;
+        }
         const ob::Cost first = cost();
         ob::Cost before = first;
         while (canImprove() && evaluator_.work() < workLimit_ && !evaluator_.interrupted())
@@ -135,7 +139,9 @@ namespace ompl_mfa::engine::refinement
     double PathTightening::gain(double before, double after)
     {
         if (!std::isfinite(after))
+        {
             return 0.0;
+        }
         return std::abs(std::isfinite(before) ? before - after : after);
     }
 
@@ -170,7 +176,9 @@ namespace ompl_mfa::engine::refinement
             payoff.gain *= PAYOFF_MEMORY;
             payoff.work = PAYOFF_MEMORY * payoff.work + static_cast<double>(evaluator_.work() - work + 1);
             if (!success)
+            {
                 continue;
+            }
             const double now = cost().value();
             payoff.gain += gain(total_, now);
             total_ = now;
@@ -181,14 +189,18 @@ namespace ompl_mfa::engine::refinement
     {
         double sum = 0.0;
         for (const Payoff &payoff : payoffs_)
+        {
             sum += payoff.rate();
+        }
         double draw = rng_.uniform01();
         for (std::size_t k = 0; k + 1 < StepKinds; ++k)
         {
             const double part = sum > 0.0 ? payoffs_[k].rate() / sum : 1.0 / StepKinds;
             draw -= PAYOFF_FLOOR + (1.0 - StepKinds * PAYOFF_FLOOR) * part;
             if (draw < 0.0)
+            {
                 return static_cast<StepKind>(k);
+            }
         }
         return static_cast<StepKind>(StepKinds - 1);
     }
@@ -211,7 +223,9 @@ namespace ompl_mfa::engine::refinement
     ob::Cost PathTightening::cost() const
     {
         if (costs_.size() + 1 < path_.size())
+        {
             return evaluator_.objective()->infiniteCost();
+        }
         return evaluator_.cost(path_, costs_);
     }
 
@@ -223,7 +237,9 @@ namespace ompl_mfa::engine::refinement
             ob::Cost cost;
             evaluator_.addWork(1);
             if (!evaluator_.motionCost(path_[i], path_[i + 1], cost))
+            {
                 return false;
+            }
             costs_.push_back(cost);
         }
         return true;
@@ -238,8 +254,10 @@ namespace ompl_mfa::engine::refinement
     {
         double spacing = smallestStep();
         if (i > 0 && i + 1 < path_.size())
+        {
             spacing = std::max(
                 spacing, std::min(chart_->distance(path_[i - 1], path_[i]), chart_->distance(path_[i], path_[i + 1])));
+        }
         return Step(VertexSearch(chart_->dimension(),
                                  FIRST_STEP * spacing / std::sqrt(static_cast<double>(chart_->dimension()))));
     }
@@ -269,7 +287,9 @@ namespace ompl_mfa::engine::refinement
         for (std::size_t i = 1; i + 1 < path_.size() && evaluator_.work() < workLimit_ && !evaluator_.stopped();)
         {
             if (!remove(i))
+            {
                 ++i;
+            }
         }
     }
 
@@ -278,16 +298,24 @@ namespace ompl_mfa::engine::refinement
         // where the chord is far better than the corner, it is blocked more often than not: ask for it rarely
         ob::Cost chord;
         if (!evaluator_.motionCost(path_[i - 1], path_[i + 1], chord))
+        {
             return false;
+        }
         const ob::Cost corner = cornerCost(i);
         evaluator_.observePath(path_[i - 1], path_[i + 1], corner);
         evaluator_.addWork(1);
         if (evaluator_.objective()->isCostBetterThan(corner, chord))
+        {
             return false;
+        }
         if (steps_[i].pull < 0.3 && rng_.uniform01() > 0.1)
+        {
             return false;
+        }
         if (!evaluator_.checkStrictly({{path_[i - 1], path_[i + 1]}}))
+        {
             return false;
+        }
         eraseVertices(i, i + 1, chord);
         return true;
     }
@@ -297,7 +325,9 @@ namespace ompl_mfa::engine::refinement
         for (std::size_t i = 0; i + 1 < path_.size() && evaluator_.work() < workLimit_ && !evaluator_.stopped();)
         {
             if (path_.size() >= MAX_VERTICES || evaluator_.objective()->isFinite(costs_[i]) || !bend(i))
+            {
                 ++i;
+            }
         }
     }
 
@@ -308,20 +338,26 @@ namespace ompl_mfa::engine::refinement
         const auto &objective = evaluator_.objective();
         const double length = chart_->distance(path_[i], path_[i + 1]);
         if (!std::isfinite(length))
+        {
             return false;
+        }
         for (unsigned int k = 0; k < COST_TRIES && !evaluator_.interrupted(); ++k)
         {
             chart_->interpolate(path_[i], path_[i + 1], rng_.uniform01(), b_);
             chart_->space()->enforceBounds(b_);
             for (Eigen::Index j = 0; j < delta_.size(); ++j)
+            {
                 delta_[j] = rng_.gaussian01();
+            }
             delta_ *= length * rng_.uniform01() / std::sqrt(static_cast<double>(delta_.size()));
             chart_->displace(b_, delta_, a_);
             ob::Cost before;
             ob::Cost after;
             evaluator_.addWork(2);
             if (!evaluator_.motionCost(path_[i], a_, before) || !evaluator_.motionCost(a_, path_[i + 1], after))
+            {
                 return false;
+            }
             if ((objective->isFinite(before) || objective->isFinite(after)) &&
                 evaluator_.checkStrictly({{path_[i], a_}, {a_, path_[i + 1]}}))
             {
@@ -341,47 +377,71 @@ namespace ompl_mfa::engine::refinement
         int i = rng_.uniformInt(0, motions - 1);
         int j = rng_.uniformInt(0, motions - 1);
         if (i == j)
+        {
             return false;
+        }
         if (i > j)
+        {
             std::swap(i, j);
+        }
         const auto first = static_cast<std::size_t>(i);
         const auto last = static_cast<std::size_t>(j);
         // half of the shortcuts begin or end in a vertex, which adds no new one
         const bool fromVertex = rng_.uniform01() < 0.5 || path_.size() >= MAX_VERTICES;
         const bool toVertex = rng_.uniform01() < 0.5 || path_.size() >= MAX_VERTICES;
         if (fromVertex && toVertex && last == first + 1 && last == path_.size() - 1)
+        {
             return false;
+        }
         chart_->interpolate(path_[first], path_[first + 1], fromVertex ? 0.0 : rng_.uniform01(), a_);
         chart_->interpolate(path_[last], path_[last + 1], toVertex ? 1.0 : rng_.uniform01(), b_);
         space->enforceBounds(a_);
         space->enforceBounds(b_);
         if (fromVertex)
+        {
             space->copyState(a_, path_[first]);
+        }
         if (toVertex)
+        {
             space->copyState(b_, path_[last + 1]);
+        }
 
         ob::Cost old = costs_[first];
         for (std::size_t k = first + 1; k <= last; ++k)
+        {
             old = objective->combineCosts(old, costs_[k]);
+        }
         ob::Cost head;
         ob::Cost bridge;
         ob::Cost tail;
         if (!evaluator_.motionCost(a_, b_, bridge) || (!fromVertex && !evaluator_.motionCost(path_[first], a_, head)) ||
             (!toVertex && !evaluator_.motionCost(b_, path_[last + 1], tail)))
+        {
             return false;
+        }
         ob::Cost fresh = fromVertex ? bridge : objective->combineCosts(head, bridge);
         if (!toVertex)
+        {
             fresh = objective->combineCosts(fresh, tail);
+        }
         evaluator_.addWork(last - first + 3);
         if (!objective->isCostBetterThan(fresh, old))
+        {
             return false;
+        }
         if (!checkShortcut(fromVertex ? nullptr : path_[first], toVertex ? nullptr : path_[last + 1]))
+        {
             return false;
+        }
         eraseVertices(first + 1, last + 1, bridge);
         if (!toVertex)
+        {
             insertVertex(first + 1, b_, bridge, tail);
+        }
         if (!fromVertex)
+        {
             insertVertex(first + 1, a_, head, bridge);
+        }
         return true;
     }
 
@@ -390,11 +450,17 @@ namespace ompl_mfa::engine::refinement
     bool PathTightening::checkShortcut(const ob::State *before, const ob::State *after)
     {
         if (before != nullptr && after != nullptr)
+        {
             return evaluator_.checkStrictly({{a_, b_}, {before, a_}, {b_, after}});
+        }
         if (before != nullptr)
+        {
             return evaluator_.checkStrictly({{a_, b_}, {before, a_}});
+        }
         if (after != nullptr)
+        {
             return evaluator_.checkStrictly({{a_, b_}, {b_, after}});
+        }
         return evaluator_.checkStrictly({{a_, b_}});
     }
 
@@ -418,7 +484,9 @@ namespace ompl_mfa::engine::refinement
         }
         if ((caution > 0 && !hasMargin(i, state)) ||
             !evaluator_.checkBetween({{path_[i - 1], state}, {state, path_[i + 1]}}))
+        {
             return false;
+        }
         caution -= caution > 0 ? 1 : 0;
         chart_->space()->copyState(path_[i], state);
         costs_[i - 1] = before;
@@ -435,7 +503,9 @@ namespace ompl_mfa::engine::refinement
         const double margin = MARGIN * chart_->distance(path_[i - 1], state) / segments;
         const double step = chart_->distance(path_[i], state);
         if (step <= 0.0)
+        {
             return false;
+        }
         chart_->difference(path_[i], state, beyondDelta_);
         beyondDelta_ *= 1.0 + margin / step;
         chart_->displace(path_[i], beyondDelta_, beyond_);
@@ -461,7 +531,9 @@ namespace ompl_mfa::engine::refinement
         const double before = chart_->distance(path_[i - 1], path_[i]);
         const double after = chart_->distance(path_[i], path_[i + 1]);
         if (before + after <= 0.0)
+        {
             return false;
+        }
         chart_->interpolate(path_[i - 1], path_[i + 1], before / (before + after), b_);
         space->enforceBounds(b_);
         if (steps_[i].pull * chart_->distance(path_[i], b_) < smallestStep())
@@ -501,11 +573,15 @@ namespace ompl_mfa::engine::refinement
                 break;
             case 2:
                 for (Eigen::Index j = 0; j < d; ++j)
+                {
                     step.mask[j] = rng_.uniform01() < 0.5 ? 0.0 : 1.0;
+                }
                 break;
             default:
                 for (Eigen::Index j = 0; j < d; ++j)
+                {
                     step.normal[j] = rng_.gaussian01();
+                }
                 step.normal.normalize();
                 break;
         }
@@ -517,10 +593,14 @@ namespace ompl_mfa::engine::refinement
         const double before = chart_->distance(path_[i - 1], path_[i]);
         const double after = chart_->distance(path_[i], path_[i + 1]);
         if (before + after <= 0.0 || chart_->dimension() < 2)
+        {
             return false;
+        }
         Step &step = steps_[i];
         if (!step.partWorked)
+        {
             selectPart(step);
+        }
         chart_->interpolate(path_[i - 1], path_[i + 1], before / (before + after), b_);
         space->enforceBounds(b_);
         chart_->difference(path_[i], b_, delta_);
@@ -543,7 +623,9 @@ namespace ompl_mfa::engine::refinement
     {
         VertexSearch &search = steps_[i].search;
         if (search.sigma() < smallestStep())
+        {
             search = VertexSearch(chart_->dimension(), 1e3 * smallestStep());
+        }
         for (unsigned int k = 0; k < COST_TRIES && !evaluator_.interrupted(); ++k)
         {
             ob::Cost before;
@@ -552,7 +634,9 @@ namespace ompl_mfa::engine::refinement
             chart_->displace(path_[i], delta_, a_);
             evaluator_.addWork(1);
             if (!improves(i, a_, before, after))
+            {
                 search.failed();
+            }
             else if (moveVertex(i, a_, before, after))
             {
                 search.succeeded();
@@ -571,7 +655,9 @@ namespace ompl_mfa::engine::refinement
     bool PathTightening::refineWorstCorner()
     {
         if (path_.size() >= MAX_VERTICES || path_.size() < 3)
+        {
             return false;
+        }
         std::size_t worst = 0;
         double largest = 1e-6 * chart_->distance(path_.front(), path_.back());
         for (std::size_t i = 1; i + 1 < path_.size(); ++i)
@@ -603,10 +689,14 @@ namespace ompl_mfa::engine::refinement
             space->enforceBounds(b_);
             if (!evaluator_.motionCost(path_[i - 1], a_, before) || !evaluator_.motionCost(a_, b_, cut) ||
                 !evaluator_.motionCost(b_, path_[i + 1], after))
+            {
                 return false;
+            }
             const ob::Cost around = objective->combineCosts(objective->combineCosts(before, cut), after);
             if (objective->isCostBetterThan(cornerCost(i), around))
+            {
                 continue;
+            }
             if (evaluator_.checkStrictly({{a_, b_}, {path_[i - 1], a_}, {b_, path_[i + 1]}}))
             {
                 space->copyState(path_[i], b_);

@@ -84,17 +84,23 @@ namespace ompl_mfa::engine::refinement
     {
         const Incumbent &incumbent = context().incumbent;
         if (std::exchange(stale_, false))
+        {
             best_->begin(incumbent.path());
+        }
         refined_ = false;
         if (best_->advance(work))
+        {
             findings.paths.push_back({best_->path(), best_->cost(), Proposal::Stage::Tight, incumbent.origin()});
+        }
     }
 
     void TighteningPart::improved(const Proposal &proposal)
     {
         stale_ = proposal.stage != Proposal::Stage::Tight;
         if (!stale_ && refined_)
+        {
             std::swap(best_, new_);
+        }
     }
 
     const path::Waypoints &TighteningPart::refine(const path::Waypoints &path, ob::Cost &cost, ob::Cost rival)
@@ -103,7 +109,9 @@ namespace ompl_mfa::engine::refinement
         const ob::OptimizationObjective &objective = context().objective();
         std::uint64_t check = path.size();
         for (std::size_t i = 1; i < path.size(); ++i)
+        {
             check += path.space()->validSegmentCount(path[i - 1], path[i]);
+        }
         refined_ = true;
         new_->begin(path);
         for (unsigned int k = 0; k < ROUNDS && !new_->converged() && !evaluator.stopped(); ++k)
@@ -112,11 +120,15 @@ namespace ompl_mfa::engine::refinement
             const double before = cost.value();
             cost = new_->cost();
             if (objective.isCostBetterThan(cost, rival))
+            {
                 break;
+            }
             // what a cost that is still infinite promises is unknown
             const ob::Cost promised(cost.value() - PATIENCE * (before - cost.value()));
             if (k > 0 && std::isfinite(cost.value()) && !objective.isCostBetterThan(promised, rival))
+            {
                 break;
+            }
         }
         return new_->path();
     }

@@ -63,7 +63,9 @@ namespace ompl_mfa::engine::refinement
     void VertexSearch::draw(ompl::RNG &rng, Eigen::Ref<Eigen::VectorXd> step)
     {
         for (Eigen::Index i = 0; i < normal_.size(); ++i)
+        {
             normal_[i] = rng.gaussian01();
+        }
         direction_.noalias() = factor_ * normal_;
         step = sigma_ * direction_;
     }
@@ -86,7 +88,9 @@ namespace ompl_mfa::engine::refinement
         const Eigen::VectorXd w = factor_.partialPivLu().solve(evolutionPath_);
         const double norm = w.squaredNorm();
         if (!(norm > 1e-12))
+        {
             return;
+        }
         const double a = std::sqrt(1.0 - covarianceWeight);
         const double b = a / norm * (std::sqrt(1.0 + covarianceWeight * norm / (1.0 - covarianceWeight)) - 1.0);
         factor_ = a * factor_ + b * evolutionPath_ * w.transpose();
@@ -106,6 +110,8 @@ namespace ompl_mfa::engine::refinement
         const Eigen::VectorXd w = factor_.partialPivLu().solve(constraintPath_);
         const double norm = w.squaredNorm();
         if (norm > 1e-12)
+        {
             factor_ -= shrinking / norm * constraintPath_ * w.transpose();
+        }
     }
 }  // namespace ompl_mfa::engine::refinement

@@ -71,7 +71,9 @@ namespace ompl_mfa::engine::fireflies
             bool find(int turns)
             {
                 for (int i = 0; i < turns && findings_.goals.empty(); ++i)
+                {
                     part_->advance(1000, findings_);
+                }
                 return !findings_.goals.empty();
             }
 
@@ -121,7 +123,9 @@ namespace ompl_mfa::engine::fireflies
                 findings_.goals.clear();
                 std::uint64_t waited = 0;
                 for (; part_->readiness() == Readiness::Idle && waited < 100000; ++waited)
+                {
                     search_->evaluator().addWork(1);
+                }
                 EXPECT_GT(waited, pause);
                 EXPECT_LT(waited, 100000U);
                 pause = waited;

@@ -79,7 +79,9 @@ namespace ompl_mfa::engine::fireflies
             path::Waypoints found(space);
             const ob::PlannerTerminationCondition never([] { return false; });
             for (int i = 0; i < 2000 && found.size() < 3; ++i)
+            {
                 search.advance(never, found);
+            }
             ASSERT_EQ(found.size(), 3U);
             for (const ob::State *state : found.pointers())
             {
@@ -105,7 +107,9 @@ namespace ompl_mfa::engine::fireflies
             path::Waypoints found(space);
             const ob::PlannerTerminationCondition never([] { return false; });
             for (int i = 0; i < 2000 && found.empty(); ++i)
+            {
                 search.advance(never, found);
+            }
             ASSERT_FALSE(found.empty());
             EXPECT_TRUE(isValid(found.front()));
         }
@@ -148,7 +152,9 @@ namespace ompl_mfa::engine::fireflies
                 path::Waypoints found(space);
                 const ob::PlannerTerminationCondition never([] { return false; });
                 for (int i = 0; i < 500 && found.empty(); ++i)
+                {
                     search.advance(never, found);
+                }
                 ASSERT_FALSE(found.empty()) << unknown;
                 EXPECT_TRUE(goal->isSatisfied(found.front()));
             }
@@ -192,7 +198,9 @@ namespace ompl_mfa::engine::fireflies
                     ASSERT_EQ(goal->asked.size(), 30U);
                     states.insert(goal->asked.begin(), goal->asked.end());
                     for (int generation = 0; generation < 50; ++generation)
+                    {
                         search.advance(never, found);
+                    }
                 }
             }
             EXPECT_EQ(states.size(), 3U * 3U * 30U);

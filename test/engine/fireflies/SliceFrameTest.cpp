@@ -63,7 +63,9 @@ namespace ompl_mfa::engine::fireflies
         {
             Eigen::VectorXd v(n);
             for (Eigen::Index i = 0; i < n; ++i)
+            {
                 v[i] = rng.uniformReal(-1.0, 1.0);
+            }
             return v;
         }
 
@@ -72,7 +74,9 @@ namespace ompl_mfa::engine::fireflies
         {
             Eigen::VectorXd x = randomUnit(rng, frame.dimension());
             for (Eigen::Index i = 0; i < x.size(); ++i)
+            {
                 x[i] *= part * (x[i] > 0.0 ? frame.upper()[i] : -frame.lower()[i]);
+            }
             return x;
         }
 
@@ -230,7 +234,9 @@ namespace ompl_mfa::engine::fireflies
                 EXPECT_TRUE(f.lower().allFinite() && f.upper().allFinite());
                 f.toWaypoints(randomCoordinates(f, rng_, 1.0), path, scratch_);
                 for (const ob::State *state : path.pointers())
+                {
                     EXPECT_TRUE(space_->satisfiesBounds(state));
+                }
             }
         }
 
@@ -290,7 +296,9 @@ namespace ompl_mfa::engine::fireflies
                 EXPECT_EQ(f.dimension(), 2 * chart_->dimension());
                 f.toWaypoints(randomCoordinates(f, rng_, 1.0), path, scratch_);
                 for (const ob::State *waypoint : path.pointers())
+                {
                     EXPECT_TRUE(space_->satisfiesBounds(waypoint));
+                }
             }
         }
 

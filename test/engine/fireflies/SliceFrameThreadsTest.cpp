@@ -70,7 +70,9 @@ namespace ompl_mfa::engine::fireflies
                 {
                     Eigen::VectorXd x(frame_.dimension());
                     for (Eigen::Index k = 0; k < x.size(); ++k)
+                    {
                         x[k] = rng.uniformReal(-0.5, 0.5);
+                    }
                     coordinates_.push_back(x);
                     Eigen::VectorXd scratch;
                     path::Waypoints path(space_);
@@ -95,7 +97,9 @@ namespace ompl_mfa::engine::fireflies
             {
                 bool same = a.size() == b.size();
                 for (std::size_t i = 0; same && i < a.size(); ++i)
+                {
                     same = space_->equalStates(a[i], b[i]);
+                }
                 return same;
             }
 
@@ -112,12 +116,16 @@ namespace ompl_mfa::engine::fireflies
                             for (int repeat = 0; repeat < REPEATS; ++repeat)
                             {
                                 if (!asAlone(i))
+                                {
                                     ++wrong;
+                                }
                             }
                         });
                 }
                 for (auto &thread : threads)
+                {
                     thread.join();
+                }
                 return wrong;
             }
 
@@ -157,7 +165,9 @@ namespace ompl_mfa::engine::fireflies
         {
             std::vector<path::Waypoints> alone(THREADS, path::Waypoints(space_));
             for (unsigned int i = 0; i < THREADS; ++i)
+            {
                 ASSERT_TRUE(frame_.crossings(paths_[i], alone[i]));
+            }
             EXPECT_EQ(differences(
                           [&](unsigned int i)
                           {
@@ -171,7 +181,9 @@ namespace ompl_mfa::engine::fireflies
         {
             std::vector<Eigen::VectorXd> alone(THREADS, Eigen::VectorXd(frame_.dimension()));
             for (unsigned int i = 0; i < THREADS; ++i)
+            {
                 modes_.toCoordinates(coordinates_[i], alone[i]);
+            }
             EXPECT_EQ(differences(
                           [&](unsigned int i)
                           {

@@ -95,14 +95,18 @@ namespace ompl_mfa::engine::fireflies
                 path::Waypoints known(space_);
                 for (const auto &[x, y] : std::vector<std::pair<double, double>>{
                          {-8.0, 0.0}, {-4.0, 3.0}, {0.0, 3.0}, {4.0, 3.0}, {8.0, 0.0}})
+                {
                     known.append(state(x, y).get());
+                }
                 // a bound comes of a path that was found
                 EXPECT_GT(evaluator_->cost(known).value(), bound - 1e-6);
                 SliceGraph graph(frame_, *evaluator_);
                 for (std::size_t k = 0; k < frame_.slices(); ++k)
                 {
                     for (const double y : {-6.0, -3.0, 0.0, 3.0, 6.0})
+                    {
                         graph.addCandidate(k, state(-4.0 + 4.0 * static_cast<double>(k), y).get());
+                    }
                 }
                 return graph.search(bound, 100000, path_);
             }

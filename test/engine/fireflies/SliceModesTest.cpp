@@ -121,7 +121,9 @@ namespace ompl_mfa::engine::fireflies
                 modes.toCoordinates(amplitudes, whole);
                 const std::size_t few = std::max<std::size_t>(1, frame.slices() / 5);
                 for (std::size_t k = 0; k < frame.slices(); k += few)
+                {
                     modes.toCoordinates(amplitudes, k, std::min(few, frame.slices() - k), parts);
+                }
                 EXPECT_TRUE(parts.isApprox(whole, 1e-12));
             }
         }

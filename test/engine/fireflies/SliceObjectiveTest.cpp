@@ -169,7 +169,9 @@ namespace ompl_mfa::engine::fireflies
                 {
                     const double *values = end->as<ob::RealVectorStateSpace::StateType>()->values;
                     if (std::abs(values[0]) < 0.5 && values[1] < 2.0 && lethal)
+                    {
                         return infiniteCost();
+                    }
                 }
                 return PathLengthOptimizationObjective::motionCost(from, to);
             }
@@ -214,7 +216,9 @@ namespace ompl_mfa::engine::fireflies
                 EXPECT_EQ(infinite.cost, inf);
                 EXPECT_TRUE(valid.isFeasible());
                 for (const Brightness &brightness : {infinite, colliding, valid})
+                {
                     EXPECT_FALSE(std::isnan(brightness.violation) || std::isnan(brightness.cost));
+                }
                 EXPECT_TRUE(objective.isBrighter(valid, infinite));
                 EXPECT_FALSE(objective.isBrighter(infinite, valid));
                 EXPECT_FALSE(objective.isBrighter(infinite, infinite));

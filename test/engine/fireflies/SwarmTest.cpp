@@ -110,7 +110,9 @@ namespace ompl_mfa::engine::fireflies
         {
             Swarm swarm = makeSwarm(3);
             while (!swarm.fireflies().bestBrightness().isFeasible() || swarm.fireflies().generation() < 5)
+            {
                 swarm.step(never);
+            }
             const unsigned int epoch = swarm.epoch();
             const double best = swarm.fireflies().bestBrightness().cost;
             swarm.step(never);
@@ -124,7 +126,9 @@ namespace ompl_mfa::engine::fireflies
             path::Waypoints path(problem_->si->getStateSpace());
             for (const auto &[x, y] :
                  std::vector<std::pair<double, double>>{{1, 1}, {3, 4.3}, {5, 7.6}, {7, 4.3}, {9, 1}})
+            {
                 path.append(problem_->state({x, y}).get());
+            }
             Swarm swarm = makeSwarm(3);
             swarm.inject(path);
             swarm.step(never);
@@ -138,7 +142,9 @@ namespace ompl_mfa::engine::fireflies
             {
                 Swarm swarm = makeSwarm(seed);
                 for (int i = 0; i < 9; ++i)
+                {
                     swarm.step(never);
+                }
                 return Eigen::MatrixXd(swarm.fireflies().population());
             };
             EXPECT_EQ(population(3), population(3));
@@ -172,11 +178,15 @@ namespace ompl_mfa::engine::fireflies
                 settings_.generations = 100;
                 Swarm swarm = makeSwarm(seed);
                 while (!swarm.fireflies().bestBrightness().isFeasible())
+                {
                     ASSERT_TRUE(swarm.step(never));
+                }
                 ASSERT_GE(swarm.fireflies().bestBrightness().cost, test::wallOptimum());
                 swarm.setBound(0.9 * test::wallOptimum());
                 for (int i = 0; i < 20; ++i)
+                {
                     swarm.step(never);
+                }
                 const FireflyOptimizer &fireflies = swarm.fireflies();
                 EXPECT_LT(fireflies.bestBrightness().cost, 0.9 * test::wallOptimum()) << "seed " << seed;
                 EXPECT_LT(fireflies.brightness(fireflies.brightestIndex()).cost, 0.9 * test::wallOptimum());
@@ -197,7 +207,9 @@ namespace ompl_mfa::engine::fireflies
                 {
                     // the straight motion from start to goal is costed for its bound
                     if (test::coordinate(from, 0) == 1.0 && test::coordinate(to, 0) < 9.0)
+                    {
                         ends.insert(std::llround(1e9 * test::coordinate(to, 1) / 10.0));
+                    }
                     return PathLengthOptimizationObjective::motionCost(from, to);
                 }
 

@@ -68,7 +68,9 @@ namespace ompl_mfa::engine::fireflies
             swarm.step([] { return false; });
             std::vector<path::Waypoints> alone(SIZE, path::Waypoints(space));
             for (Eigen::Index i = 0; i < SIZE; ++i)
+            {
                 swarm.pathOf(i, alone[static_cast<std::size_t>(i)]);
+            }
             std::atomic<unsigned int> wrong{0};
             std::vector<std::thread> threads;
             for (int thread = 0; thread < 4; ++thread)
@@ -84,13 +86,17 @@ namespace ompl_mfa::engine::fireflies
                             for (std::size_t k = 0; k < path.size(); ++k)
                             {
                                 if (!space->equalStates(path[k], expected[k]))
+                                {
                                     ++wrong;
+                                }
                             }
                         }
                     });
             }
             for (auto &thread : threads)
+            {
                 thread.join();
+            }
             EXPECT_EQ(wrong, 0U);
         }
     }  // namespace

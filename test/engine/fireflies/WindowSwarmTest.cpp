@@ -76,7 +76,9 @@ namespace ompl_mfa::engine::fireflies
             {
                 path::Waypoints path(problem_->si->getStateSpace());
                 for (const auto &state : states)
+                {
                     path.append(problem_->state(state).get());
+                }
                 return path;
             }
 
@@ -96,7 +98,9 @@ namespace ompl_mfa::engine::fireflies
             void fly(WindowSwarm &window) const
             {
                 while (!window.exhausted() && window.found().empty())
+                {
                     window.swarm().step(never);
+                }
             }
 
             std::unique_ptr<test::PlanningProblem> problem_ = test::wallProblem();
@@ -119,7 +123,9 @@ namespace ompl_mfa::engine::fireflies
                 ASSERT_NE(window, nullptr);
                 fly(*window);
                 if (window->found().empty())
+                {
                     continue;
+                }
                 ++found;
                 const path::Waypoints whole = window->pathWith(window->found());
                 const auto &space = problem_->si->getStateSpace();
@@ -141,7 +147,9 @@ namespace ompl_mfa::engine::fireflies
             const path::Waypoints same = window->pathWith(window->segment());
             ASSERT_EQ(same.size(), detour_.size());
             for (std::size_t i = 0; i < same.size(); ++i)
+            {
                 EXPECT_TRUE(problem_->si->getStateSpace()->equalStates(same[i], detour_[i]));
+            }
         }
 
         TEST_P(WindowSwarmTest, IsExhaustedAfterItsGenerations)
@@ -150,7 +158,9 @@ namespace ompl_mfa::engine::fireflies
             EXPECT_FALSE(window->exhausted());
             // the evaluation of the initial swarm is a step of its own
             for (unsigned int k = 0; k < settings_.generations; ++k)
+            {
                 window->swarm().step(never);
+            }
             EXPECT_FALSE(window->exhausted());
             window->swarm().step(never);
             EXPECT_TRUE(window->exhausted());
@@ -164,7 +174,9 @@ namespace ompl_mfa::engine::fireflies
                 const auto window = open(detour_, 1, 4, seed);
                 window->swarm().step(never);
                 if (!window->recombine(200000))
+                {
                     continue;
+                }
                 ++found;
                 EXPECT_TRUE(evaluator_.checkPath(window->pathWith(window->found())));
             }
@@ -180,7 +192,9 @@ namespace ompl_mfa::engine::fireflies
                 settings_.generations = 60;
                 const auto window = open(detour_, 1, 4, seed);
                 if (!window->recombine(200000))
+                {
                     continue;
+                }
                 ++found;
                 const double spliced = window->found().length();
                 while (!window->exhausted())
@@ -192,9 +206,13 @@ namespace ompl_mfa::engine::fireflies
                 replaced += window->found().length() < spliced ? 1 : 0;
                 const double best = window->found().length();
                 if (window->recombine(200000))
+                {
                     EXPECT_LT(window->found().length(), best);
+                }
                 else
+                {
                     EXPECT_EQ(window->found().length(), best);
+                }
             }
             EXPECT_GE(found, 10U);
             EXPECT_GE(replaced, 1U);
@@ -214,7 +232,9 @@ namespace ompl_mfa::engine::fireflies
                 {
                     si_->getStateSpace()->interpolate(from, to, static_cast<double>(i) / PIECES, state.get());
                     if (state[0] > 4.5 && state[0] < 5.5 && state[1] < 3.4)
+                    {
                         return infiniteCost();
+                    }
                 }
                 return PathLengthOptimizationObjective::motionCost(from, to);
             }
@@ -237,7 +257,9 @@ namespace ompl_mfa::engine::fireflies
                                       evaluator, settings_, seed);
                 fly(*window);
                 if (window->found().empty())
+                {
                     continue;
+                }
                 ++found;
                 EXPECT_TRUE(std::isfinite(evaluator.cost(window->found()).value())) << "seed " << seed;
             }

@@ -102,16 +102,24 @@ namespace ompl_mfa::engine::graph
         {
             out << "algebra " << static_cast<int>(graph.algebra) << ", " << graph.size << " vertices;";
             for (const auto s : graph.starts)
+            {
                 out << " start " << s << " (" << graph.initial[s] << ")";
+            }
             for (const auto g : graph.goals)
+            {
                 out << " goal " << g << " (" << graph.terminal[g] << ")";
+            }
             for (const auto &m : graph.motions)
             {
                 out << "; " << m.from << (m.bothWays ? " <-> " : " -> ") << m.to << ": " << graph.cost[m.from][m.to];
                 if (m.bothWays)
+                {
                     out << " / " << graph.cost[m.to][m.from];
+                }
                 if (!graph.isValid(m.from, m.to))
+                {
                     out << " invalid";
+                }
             }
             return out;
         }
@@ -223,11 +231,17 @@ namespace ompl_mfa::engine::graph
                     lazy->addVertex(state.get(), false);
                 }
                 for (const auto &m : graph_.motions)
+                {
                     lazy->addEdge(m.from, m.to, m.bothWays);
+                }
                 for (const auto s : graph_.starts)
+                {
                     lazy->setStart(s);
+                }
                 for (const auto g : graph_.goals)
+                {
                     lazy->setGoal(g);
+                }
             }
 
             bool better(double a, double b) const
@@ -248,20 +262,26 @@ namespace ompl_mfa::engine::graph
                 const auto improve = [this](double candidate, double &known, bool reachedBefore)
                 {
                     if (reachedBefore && !better(candidate, known))
+                    {
                         return false;
+                    }
                     known = candidate;
                     return true;
                 };
                 for (const auto s : graph_.starts)
                 {
                     if (graph_.validVertex[s] && improve(graph_.initial[s], cost[s], reached[s]))
+                    {
                         reached[s] = true;
+                    }
                 }
                 const auto relax = [&](std::size_t from, std::size_t to)
                 {
                     if (reached[from] && graph_.validVertex[to] && graph_.isValid(from, to) &&
                         improve(combine(cost[from], graph_.cost[from][to]), cost[to], reached[to]))
+                    {
                         reached[to] = true;
+                    }
                 };
                 for (std::size_t round = 0; round < graph_.size; ++round)
                 {
@@ -269,14 +289,18 @@ namespace ompl_mfa::engine::graph
                     {
                         relax(m.from, m.to);
                         if (m.bothWays)
+                        {
                             relax(m.to, m.from);
+                        }
                     }
                 }
                 bool found = false;
                 for (const auto g : graph_.goals)
                 {
                     if (reached[g] && improve(combine(cost[g], graph_.terminal[g]), best, found))
+                    {
                         found = true;
+                    }
                 }
                 return found;
             }
@@ -286,14 +310,18 @@ namespace ompl_mfa::engine::graph
             {
                 std::vector<std::size_t> vertices;
                 for (std::size_t i = 0; i < path->size(); ++i)
+                {
                     vertices.push_back(TableObjective::number((*path)[i]));
+                }
                 RC_ASSERT(!vertices.empty());
                 RC_ASSERT(std::count(graph_.starts.begin(), graph_.starts.end(), vertices.front()) > 0);
                 RC_ASSERT(std::count(graph_.goals.begin(), graph_.goals.end(), vertices.back()) > 0);
                 RC_ASSERT(graph_.validVertex[vertices.front()]);
                 RC_ASSERT(std::set<std::size_t>(vertices.begin(), vertices.end()).size() == vertices.size());
                 for (std::size_t i = 1; i < vertices.size(); ++i)
+                {
                     RC_ASSERT(graph_.validVertex[vertices[i]] && graph_.isValid(vertices[i - 1], vertices[i]));
+                }
             }
 
             /* What a search that was not cut short must have answered. */
@@ -304,7 +332,9 @@ namespace ompl_mfa::engine::graph
                 RC_ASSERT(found == exists);
                 RC_ASSERT(lazy->exhausted() == !exists);
                 if (!found)
+                {
                     return;
+                }
                 expectPath();
                 RC_ASSERT(evaluator->cost(*path).value() == best);
             }
@@ -321,13 +351,17 @@ namespace ompl_mfa::engine::graph
                 {
                     const auto x = static_cast<double>(i);
                     if (values[0] == x && values[1] == x * x)
+                    {
                         return graph_.validVertex[i];
+                    }
                     for (std::size_t j = 0; j < i; ++j)
                     {
                         const auto y = static_cast<double>(j);
                         if (!graph_.validMiddle[i][j] && std::abs(values[0] - 0.5 * (x + y)) < 1e-6 &&
                             std::abs(values[1] - 0.5 * (x * x + y * y)) < 1e-6)
+                        {
                             return false;
+                        }
                     }
                 }
                 return true;
@@ -358,7 +392,9 @@ namespace ompl_mfa::engine::graph
         {
             std::set<std::size_t> ends;
             for (int i = draw(1, 4); i > 0; --i)
+            {
                 ends.insert(static_cast<std::size_t>(draw(0, static_cast<int>(size) - 1)));
+            }
             return {ends.begin(), ends.end()};
         }
 
@@ -370,17 +406,25 @@ namespace ompl_mfa::engine::graph
                 for (std::size_t j = i + 1; j < graph.size; ++j)
                 {
                     if (!chance(percent))
+                    {
                         continue;
+                    }
                     const int direction = acyclic ? 0 : draw(0, 3);
                     graph.validMiddle[i][j] = graph.validMiddle[j][i] = !chance(15);
                     graph.validMotion[i][j] = !chance(20);
                     graph.validMotion[j][i] = direction == 3 ? !chance(20) : static_cast<bool>(graph.validMotion[i][j]);
                     if (direction == 1)
+                    {
                         graph.motions.push_back({j, i, false});
+                    }
                     else
+                    {
                         graph.motions.push_back({i, j, direction == 2});
+                    }
                     if (direction == 3)
+                    {
                         graph.motions.push_back({j, i, false});
+                    }
                 }
             }
         }
@@ -393,7 +437,9 @@ namespace ompl_mfa::engine::graph
             const bool negative = graph.algebra != Algebra::Bottleneck && draw(0, 1) == 1;
             std::vector<int> potential(graph.size, 0);
             if (negative)
+            {
                 std::generate(potential.begin(), potential.end(), [] { return draw(-30, 30); });
+            }
             for (std::size_t i = 0; i < graph.size; ++i)
             {
                 for (std::size_t j = 0; j < graph.size; ++j)
@@ -424,7 +470,9 @@ namespace ompl_mfa::engine::graph
             {
                 graph.validVertex[i] = !chance(10);
                 if (negativeCycles)
+                {
                     std::generate(graph.cost[i].begin(), graph.cost[i].end(), [] { return draw(-20, 20); });
+                }
             }
             graph.starts = drawEnds(graph.size);
             graph.goals = drawEnds(graph.size);
@@ -452,7 +500,9 @@ namespace ompl_mfa::engine::graph
                 const bool found = c.lazy->search(bound, PLENTY, *c.path);
                 c.expectAnswer(found, bound);
                 if (!found)
+                {
                     return;
+                }
                 const double cost = c.evaluator->cost(*c.path).value();
                 // an infinite bound is none: what beats an infinite cost is what beats the worst of the finite ones
                 bound = std::isfinite(cost) ? cost : std::copysign(std::numeric_limits<double>::max(), cost);
@@ -487,9 +537,13 @@ namespace ompl_mfa::engine::graph
             {
                 if (kept[v] || std::count(graph.starts.begin(), graph.starts.end(), v) > 0 ||
                     std::count(graph.goals.begin(), graph.goals.end(), v) > 0)
+                {
                     ++size;
+                }
                 else
+                {
                     graph.validVertex[v] = false;
+                }
             }
             RC_LOG() << graph << "\n";
             RC_ASSERT(c.lazy->size() == size);
@@ -508,7 +562,9 @@ namespace ompl_mfa::engine::graph
             {
                 const bool found = c.lazy->search(bound, work, *c.path);
                 if (found || c.lazy->exhausted())
+                {
                     return c.expectAnswer(found, bound);
+                }
             }
             RC_FAIL("no end");
         }
@@ -526,7 +582,9 @@ namespace ompl_mfa::engine::graph
                 const bool found = c.lazy->search(bound, PLENTY, *c.path);
                 c.evaluator->setStopCondition({});
                 if (found || c.lazy->exhausted())
+                {
                     return c.expectAnswer(found, bound);
+                }
             }
             c.expectAnswer(c.lazy->search(bound, PLENTY, *c.path), bound);
         }
@@ -543,7 +601,9 @@ namespace ompl_mfa::engine::graph
             double best = 0.0;
             RC_ASSERT(!std::isinf(bound) || found == c.solve(best));
             if (!found)
+            {
                 return;
+            }
             c.expectPath();
             RC_ASSERT(std::isinf(bound) || c.better(c.evaluator->cost(*c.path).value(), bound));
         }

@@ -153,7 +153,9 @@ namespace ompl_mfa::engine::graph
                 ompl::RNG rng(seed);
                 std::array<std::array<double, WIDTH>, 10 * LAYERS> table{};
                 for (auto &row : table)
+                {
                     std::generate(row.begin(), row.end(), [&rng] { return rng.uniformReal(-10.0, 8.0); });
+                }
                 const auto cost = [&table](double from, double to)
                 { return table[static_cast<std::size_t>(from)][static_cast<std::size_t>(to) % 10]; };
                 make(cost);
@@ -163,11 +165,15 @@ namespace ompl_mfa::engine::graph
                 {
                     layers.emplace_back();
                     for (std::size_t i = 0; i < (k < LAYERS ? WIDTH : 1); ++i)
+                    {
                         layers.back().push_back(add(static_cast<double>(10 * k + i)));
+                    }
                     for (const std::size_t from : layers[k - 1])
                     {
                         for (const std::size_t to : layers[k])
+                        {
                             ASSERT_TRUE(graph_->addEdge(from, to, false));
+                        }
                     }
                 }
                 graph_->setGoal(layers.back().front());
@@ -180,9 +186,11 @@ namespace ompl_mfa::engine::graph
                     {
                         double best = ANY;
                         for (std::size_t i = 0; i < layers[k + 1].size(); ++i)
+                        {
                             best = std::min(
                                 best,
                                 cost(value(graph_->state(from)), value(graph_->state(layers[k + 1][i]))) + toGo[i]);
+                        }
                         before.push_back(best);
                     }
                     toGo = before;
@@ -201,11 +209,15 @@ namespace ompl_mfa::engine::graph
             make([](double, double) { return -1.0; });
             std::vector<std::size_t> vertices;
             for (int i = 0; i < 10; ++i)
+            {
                 vertices.push_back(add(i));
+            }
             for (const std::size_t from : vertices)
             {
                 for (std::size_t to = from + 1; to < vertices.size(); ++to)
+                {
                     graph_->addEdge(from, to, true);
+                }
             }
             graph_->setStart(vertices.front());
             graph_->setGoal(vertices.back());
@@ -226,12 +238,16 @@ namespace ompl_mfa::engine::graph
                 [&detour](double from, double to)
                 {
                     if (static_cast<int>(to) % 2 != 0)
+                    {
                         return -1.5 * detour(from);
+                    }
                     return static_cast<int>(from) % 2 != 0 ? detour(from + 1.0) : 0.0;
                 });
             std::vector<std::size_t> vertices;
             for (int v = 0; v <= 2 * STAGES; ++v)
+            {
                 vertices.push_back(add(v));
+            }
             double best = 0.0;
             for (std::size_t v = 2; v < vertices.size(); v += 2)
             {
@@ -254,7 +270,9 @@ namespace ompl_mfa::engine::graph
             make([](double from, double to) { return std::abs(to - from); }, {},
                  [](double v) { return v == 2.0 ? 100.0 : 0.0; });
             for (const double v : {0.0, 2.0, 10.0})
+            {
                 add(v);
+            }
             graph_->setStart(0);
             graph_->setGoal(1);
             graph_->setGoal(2);
@@ -270,7 +288,9 @@ namespace ompl_mfa::engine::graph
             make([](double from, double to) { return std::abs(to - from); },
                  [](double v) { return v == 8.0 ? 100.0 : 0.0; });
             for (const double v : {0.0, 8.0, 10.0})
+            {
                 add(v);
+            }
             graph_->setStart(0);
             graph_->setStart(1);
             graph_->setGoal(2);
@@ -303,11 +323,15 @@ namespace ompl_mfa::engine::graph
             wall_ = 60.0;
             make([](double, double) { return 1.0; });
             for (const double v : {0.0, 45.0, 95.0, 200.0})
+            {
                 add(v);
+            }
             graph_->setStart(0);
             graph_->setGoal(3);
             for (const auto &[from, to] : {std::pair{0, 3}, {0, 1}, {1, 2}, {2, 3}})
+            {
                 ASSERT_TRUE(graph_->addEdge(from, to, false));
+            }
             ASSERT_TRUE(evaluator_->screenMotion(graph_->state(0), graph_->state(3), 3));
             ASSERT_TRUE(graph_->search(ANY, PLENTY, path_));
             EXPECT_TRUE(evaluator_->checkPath(path_));
@@ -321,11 +345,15 @@ namespace ompl_mfa::engine::graph
             wall_ = 510.0;
             make([](double from, double to) { return from == 520.0 && to == 900.0 ? 5.0 : 1.0; });
             for (const double v : {520.0, 120.0, 900.0})
+            {
                 add(v);
+            }
             graph_->setStart(0);
             graph_->setGoal(2);
             for (const auto &[from, to] : {std::pair{0, 1}, {1, 2}, {0, 2}})
+            {
                 ASSERT_TRUE(graph_->addEdge(from, to, false));
+            }
             ASSERT_TRUE(evaluator_->screenMotion(graph_->state(0), graph_->state(1), 3));
             ASSERT_TRUE(graph_->search(ANY, PLENTY, path_));
             EXPECT_EQ(path_.size(), 2U);

@@ -149,7 +149,9 @@ namespace ompl_mfa::engine::guides
                 test::set(*mfa, "population_size", "0");
                 // between two windows no swarm flies
                 for (unsigned int i = 0; i < 50 && (i < 2 || mfa->getSwarmPaths().empty()); ++i)
+                {
                     mfa->solve(test::afterCalls(60000));
+                }
                 problem_->pdef->clearSolutionPaths();
             }
             EXPECT_EQ(alone->getSwarmPaths().size(), 100U);
@@ -277,7 +279,9 @@ namespace ompl_mfa::engine::guides
                              auto path = std::make_shared<og::PathGeometric>(problem_->si);
                              path->append(pdef->getStartState(0));
                              for (const auto &point : {std::vector<double>{1.5, 5.0}, {1.5, 8.5}, {5.5, 8.5}})
+                             {
                                  path->append(problem_->state(point).get());
+                             }
                              path->append(end.get());
                              EXPECT_TRUE(pdef->getGoal()->isSatisfied(end.get()));
                              pdef->addSolutionPath(path);
@@ -326,7 +330,9 @@ namespace ompl_mfa::engine::guides
                                       {
                                           ++turns;
                                           while (!ptc())
+                                          {
                                               ++asked;
+                                          }
                                           return ob::PlannerStatus::TIMEOUT;
                                       });
             std::uint64_t calls = 0;
@@ -335,7 +341,9 @@ namespace ompl_mfa::engine::guides
                 [&]
                 {
                     if (++calls == 1000)
+                    {
                         askedThen = asked;
+                    }
                     return calls >= 1000;
                 }));
             EXPECT_GT(turns, 1U);

@@ -63,7 +63,9 @@ namespace ompl_mfa::engine::guides
                     const auto kept = cache.of(j, point(16, -1.0), point(16, static_cast<double>(j)));
                     EXPECT_DOUBLE_EQ(kept->getMinTransverseDiameter(), 4.0 * (static_cast<double>(j) + 1.0));
                     if (turn == 0)
+                    {
                         first.push_back(kept);
+                    }
                     EXPECT_EQ(kept, first[j]);
                 }
             }
@@ -76,7 +78,9 @@ namespace ompl_mfa::engine::guides
             {
                 HyperspheroidCache cache(dimension);
                 for (std::size_t j = 0; j < std::min<std::size_t>(2 * cache.capacity(), 6000); ++j)
+                {
                     cache.of(j, point(dimension, -1.0), point(dimension, static_cast<double>(j)));
+                }
                 EXPECT_LE(cache.size(), cache.capacity());
                 // two matrices of d^2 numbers each
                 EXPECT_LE(cache.capacity() * static_cast<std::size_t>(2 * dimension * dimension), 1000000U);

@@ -95,7 +95,9 @@ namespace ompl_mfa::engine::guides
                 for (int i = 0; i < 300; ++i)
                 {
                     if (!sampler.sample(starts_, goals_, bound_, state_.get()))
+                    {
                         continue;
+                    }
                     EXPECT_TRUE(space_->satisfiesBounds(state_.get()));
                     ++drawn;
                     within += lengthThroughState() < bound_ ? 1 : 0;
@@ -152,7 +154,9 @@ namespace ompl_mfa::engine::guides
                 for (int i = 0; i < 1000; ++i)
                 {
                     if (!sampler.sample(starts, goals, 5.0, state.get()))
+                    {
                         continue;
+                    }
                     bool useful = false;
                     for (std::size_t j = 0; j < goals.size(); ++j)
                     {
@@ -195,7 +199,9 @@ namespace ompl_mfa::engine::guides
             ob::ScopedState<> state(space);
             int drawn = 0;
             for (int i = 0; i < 100; ++i)
+            {
                 drawn += sampler.sample(starts, goals, 1.0, state.get()) ? 1 : 0;
+            }
             EXPECT_EQ(drawn, 100);
         }
 
@@ -214,7 +220,9 @@ namespace ompl_mfa::engine::guides
                 ++count_;
                 double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
                 for (unsigned int i = 0; i < space_->getDimension(); ++i)
+                {
                     values[i] = 10.0 + rng_.uniformReal(-1.0, 1.0);
+                }
             }
 
         private:
@@ -258,7 +266,9 @@ namespace ompl_mfa::engine::guides
             for (int i = 0; i < 1000; ++i)
             {
                 if (!sampler.sample(starts, goals, 5.0, state.get()))
+                {
                     continue;
+                }
                 ++drawn;
                 EXPECT_FALSE(isInCorner(state.get()));
             }
@@ -278,8 +288,10 @@ namespace ompl_mfa::engine::guides
             InformedSampler sampler(std::make_shared<const path::StateChart>(space), bounds, 3);
             ob::ScopedState<> state(space);
             for (int i = 0; i < 100; ++i)
+            {
                 sampler.sample(path::Waypoints(space), path::Waypoints(space), std::numeric_limits<double>::infinity(),
                                state.get());
+            }
             EXPECT_EQ(count, 50);
         }
 

@@ -82,7 +82,9 @@ namespace ompl_mfa::engine::guides
             for (int turn = 0; turn < 400 && found < 4; ++turn)
             {
                 if (!roadmap.search(best, 5000, path_))
+                {
                     continue;
+                }
                 ++found;
                 EXPECT_TRUE(evaluator_.checkPath(path_));
                 EXPECT_TRUE(problem_->si->equalStates(path_.front(), query_.starts()[0]));
@@ -130,15 +132,21 @@ namespace ompl_mfa::engine::guides
             EXPECT_TRUE(problem_->si->equalStates(graph.states[graph.starts[0]], query_.starts()[0]));
             EXPECT_TRUE(problem_->si->equalStates(graph.states[graph.goals[0]], query_.goals()[0]));
             for (std::size_t v = 0; v < graph.states.size(); ++v)
+            {
                 EXPECT_TRUE(problem_->si->isValid(graph.states[v]));
+            }
             for (const auto &[from, to] : graph.edges)
+            {
                 EXPECT_TRUE(problem_->si->checkMotion(graph.states[from], graph.states[to]));
+            }
             for (std::size_t i = 1; i < path_.size(); ++i)
             {
                 bool known = false;
                 for (const auto &[from, to] : graph.edges)
+                {
                     known = known || (problem_->si->equalStates(graph.states[from], path_[i - 1]) &&
                                       problem_->si->equalStates(graph.states[to], path_[i]));
+                }
                 EXPECT_TRUE(known) << i;
             }
         }
@@ -174,7 +182,9 @@ namespace ompl_mfa::engine::guides
                         growth.best = std::min(growth.best, cost);
                     }
                     if (turn % 4 == 0)
+                    {
                         growth.largest = std::max(growth.largest, size(roadmap));
+                    }
                 }
                 return growth;
             }
@@ -198,10 +208,14 @@ namespace ompl_mfa::engine::guides
         {
             RoadmapPart roadmap(search_.context, false);
             while (size(roadmap) < 1500)
+            {
                 roadmap.search(ANY, 5000, path_);
+            }
             const double bound = test::wallOptimum() / 1.15;
             for (int turn = 0; turn < 200; ++turn)
+            {
                 roadmap.search(bound, 5000, path_);
+            }
             SearchGraph graph(problem_->si->getStateSpace());
             roadmap.explain(graph);
             const auto &space = *problem_->si->getStateSpace();
@@ -211,7 +225,9 @@ namespace ompl_mfa::engine::guides
                 if (space.distance(query_.starts()[0], graph.states[v]) +
                         space.distance(graph.states[v], query_.goals()[0]) >
                     1.15 * bound)
+                {
                     ++beyond;
+                }
             }
             EXPECT_LT(4 * beyond, static_cast<int>(graph.states.size()) + 4);
         }
@@ -231,20 +247,26 @@ namespace ompl_mfa::engine::guides
             ASSERT_EQ(search.goals().size(), 2U);
             RoadmapPart roadmap(search.context, false);
             while (size(roadmap) < 1000)
+            {
                 roadmap.search(ANY, 5000, path_);
+            }
             for (int turn = 0; turn < 200; ++turn)
+            {
                 roadmap.search(4.6, 5000, path_);
+            }
             SearchGraph graph(space);
             roadmap.explain(graph);
             std::vector<int> around(2, 0);
             for (std::size_t v = 0; v < graph.states.size(); ++v)
             {
                 for (std::size_t j = 0; j < 2; ++j)
+                {
                     around[j] += space->distance(search.starts()[0], graph.states[v]) +
                                              space->distance(graph.states[v], search.goals()[j]) <
                                          4.6
                                      ? 1
                                      : 0;
+                }
             }
             EXPECT_GT(around[0], 20);
             EXPECT_GT(around[1], 20);
@@ -275,7 +297,9 @@ namespace ompl_mfa::engine::guides
             for (int turn = 0; turn < 400 && !std::isfinite(cost); ++turn)
             {
                 if (!roadmap.search(bound, 5000, path_))
+                {
                     continue;
+                }
                 cost = evaluator.cost(path_).value();
                 bound = std::numeric_limits<double>::max();
             }
@@ -286,7 +310,9 @@ namespace ompl_mfa::engine::guides
             for (int turn = 0; turn < 400 && !std::isfinite(cost); ++turn)
             {
                 if (another.search(ANY, 5000, path_))
+                {
                     cost = evaluator.cost(path_).value();
+                }
             }
             EXPECT_TRUE(std::isfinite(cost));
         }

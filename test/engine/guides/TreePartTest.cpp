@@ -64,10 +64,14 @@ namespace ompl_mfa::engine::guides
         {
             auto pdef = std::make_shared<ob::ProblemDefinition>(si);
             for (const ob::State *start : starts.pointers())
+            {
                 pdef->addStartState(start);
+            }
             const auto goal = std::make_shared<ob::GoalStates>(si);
             for (const ob::State *state : goals.pointers())
+            {
                 goal->addState(state);
+            }
             pdef->setGoal(goal);
             return pdef;
         }
@@ -92,7 +96,9 @@ namespace ompl_mfa::engine::guides
                 for (int turn = 0; turn < turns; ++turn)
                 {
                     if (guide.search(bound, 1000, path))
+                    {
                         return true;
+                    }
                 }
                 return false;
             }
@@ -102,7 +108,9 @@ namespace ompl_mfa::engine::guides
                 for (std::size_t i = 0; i < states.size(); ++i)
                 {
                     if (si->equalStates(states[i], state))
+                    {
                         return true;
+                    }
                 }
                 return false;
             }
@@ -113,7 +121,9 @@ namespace ompl_mfa::engine::guides
                 EXPECT_TRUE(isOneOf(search.starts(), path.front()));
                 EXPECT_TRUE(isOneOf(search.goals(), path.back()));
                 for (std::size_t i = 0; i < path.size(); ++i)
+                {
                     EXPECT_TRUE(si->isValid(path[i]));
+                }
                 EXPECT_TRUE(search.evaluator().checkPath(path));
             }
 
@@ -155,9 +165,13 @@ namespace ompl_mfa::engine::guides
                 path::Waypoints start = one(space, rng);
                 path::Waypoints goal = one(space, rng);
                 while (!valid(start[0]))
+                {
                     start = one(space, rng);
+                }
                 while (!valid(goal[0]))
+                {
                     goal = one(space, rng);
+                }
                 TreeQuery q(space, valid, start, goal, seed);
                 TreePart trees(q.search.context);
                 // and again: they restart
@@ -221,7 +235,9 @@ namespace ompl_mfa::engine::guides
             TreeQuery back(space, anywhere, test::planarPath(space, {{8.0, 0.0}}),
                            test::planarPath(space, {{-8.0, 0.0}}));
             for (TreeQuery *q : {&there, &back})
+            {
                 q->si->setMotionValidator(std::make_shared<OneWay>(q->si));
+            }
             TreePart treesThere(there.search.context);
             ASSERT_TRUE(there.find(treesThere, ANY));
             there.expectPath();
@@ -263,7 +279,9 @@ namespace ompl_mfa::engine::guides
                 ++goals[q->si->equalStates(q->path.back(), q->search.goals()[0]) ? 0 : 1];
             }
             for (const int count : {starts[0], starts[1], goals[0], goals[1]})
+            {
                 EXPECT_GT(count, 5);
+            }
         }
 
         /* The near goal can be seen from the start: trees with a root there would always end there. */
@@ -386,8 +404,10 @@ namespace ompl_mfa::engine::guides
             {
                 bool known = false;
                 for (const auto &[from, to] : graph.edges)
+                {
                     known = known || (q->si->equalStates(graph.states[from], q->path[i - 1]) &&
                                       q->si->equalStates(graph.states[to], q->path[i]));
+                }
                 EXPECT_TRUE(known) << i;
             }
         }

@@ -169,7 +169,9 @@ namespace ompl_mfa::engine::refinement
                 Eigen::VectorXd x(chart_.positionDimension());
                 chart_.positions(state, x);
                 if (x.size() < 2)
+                {
                     return 1.0;
+                }
                 return std::min(x.norm() - 2.0, std::hypot(std::max(0.0, std::abs(x[0]) - 0.02), std::max(0.0, x[1])));
             }
 
@@ -262,7 +264,9 @@ namespace ompl_mfa::engine::refinement
                 chart.sampleUniform(rng, state.get());
                 if (evaluator.checkState(state.get()) &&
                     (path.empty() || evaluator.checkStrictly({{path.back(), state.get()}})))
+                {
                     path.append(state.get());
+                }
             }
             return path;
         }
@@ -488,7 +492,9 @@ namespace ompl_mfa::engine::refinement
                 for (const double x : {-8.0, -8.0, 8.0, 8.0})
                 {
                     for (unsigned int i = 1; i < dimension; ++i)
+                    {
                         state[i] = path.empty() || path.size() == 3 ? 0.0 : 7.0 - 0.5 * i;
+                    }
                     state[0] = x;
                     path.append(state.get());
                 }
@@ -549,7 +555,9 @@ namespace ompl_mfa::engine::refinement
                     PathTightening tightening(problem.chart, evaluator, seed);
                     tightening.begin(problem.path);
                     for (int turn = 0; turn < 400 && !tightening.converged(); ++turn)
+                    {
                         tightening.advance(500);
+                    }
                     converged += tightening.converged() ? 1 : 0;
                     excess += (tightening.cost().value() - problem.optimum) / problem.optimum;
                 }

@@ -153,7 +153,9 @@ namespace ompl_mfa::engine::refinement
             offer(other, Proposal::Stage::Raw);
             const double best = search_.context.incumbent.cost();
             for (int turn = 0; turn < 20 && findings_.paths.empty(); ++turn)
+            {
                 part_.advance(2000, findings_);
+            }
             ASSERT_FALSE(findings_.paths.empty());
             EXPECT_LT(findings_.paths.back().cost->value(), best);
         }

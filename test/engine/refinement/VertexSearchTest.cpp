@@ -63,7 +63,9 @@ namespace ompl_mfa::engine::refinement
                 copy.draw(steps, step);
                 drawn.col(k) = step / search.sigma();
                 for (Eigen::Index i = 0; i < d; ++i)
+                {
                     z(i, k) = normals.gaussian01();
+                }
             }
             return drawn * z.inverse();
         }
@@ -181,7 +183,9 @@ namespace ompl_mfa::engine::refinement
             {
                 search.draw(rng, step);
                 if (step[0] > 0.0)
+                {
                     search.violated();
+                }
             }
             const Eigen::MatrixXd covariance = covarianceOf(search, 3);
             EXPECT_LT(covariance(0, 0), 0.2 * covariance(1, 1));
@@ -198,7 +202,9 @@ namespace ompl_mfa::engine::refinement
                 {
                     double sum = 0.0;
                     for (Eigen::Index i = 0; i < x.size(); ++i)
+                    {
                         sum += std::pow(10.0, static_cast<double>(i)) * x[i] * x[i];
+                    }
                     return sum;
                 };
                 VertexSearch search(d, 0.5);
@@ -210,9 +216,13 @@ namespace ompl_mfa::engine::refinement
                 {
                     search.draw(rng, step);
                     if (cost(x + step) >= cost(x))
+                    {
                         search.failed();
+                    }
                     else if (x[0] + step[0] < 1.0)
+                    {
                         search.violated();
+                    }
                     else
                     {
                         search.succeeded();
