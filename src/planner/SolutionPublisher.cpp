@@ -87,7 +87,7 @@ namespace ompl_mfa::planner
         const auto callback = pdef_->getIntermediateSolutionCallback();
         if (!callback)
             return;
-        // the callback may wait for a thread that asks for planner data
+        // the callback may wait for a thread that calls getPlannerData
         const SearchLock::Release release(lock);
         callback(&planner, incumbent.path().pointers(), cost);
     }

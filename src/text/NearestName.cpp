@@ -74,7 +74,7 @@ std::string ompl_mfa::nearestName(const std::string &name, const std::vector<std
     }
     if (!nearest.empty())
         return nearest;
-    // farther than this, the guess is rather a distraction
+    // a more distant guess would only distract
     std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (const auto &candidate : known)
     {
