@@ -109,13 +109,13 @@ namespace ompl_mfa
                 for which the paper uses 0.5. */
             double gamma{0.5};
 
-            /** \brief The random step at the beginning of an epoch, in [0, 1], as a fraction of a coordinate's range. */
+            /** \brief Random step at the beginning of an epoch, in [0, 1], as a fraction of a coordinate's range. */
             double alpha{0.2};
 
             /** \brief Attraction at distance 0 at the beginning of an epoch, in [0, 2]. */
             double eta{1.0};
 
-            /** \brief Lower limit of the attraction at any distance, in [0, 2]; 0.2 in Yang's reference program. */
+            /** \brief Attraction in the limit of large distances, in [0, 2]; 0.2 in Yang's reference program. */
             double betaMin{0.0};
 
             /** \brief Unset: constant for FA, geometric for MFA. */
