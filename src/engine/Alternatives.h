@@ -44,15 +44,15 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief The last few tightened paths that were a little worse than the best one: as a rule paths of other
-        homotopy classes. */
+    /** \brief The last few tightened paths that cost slightly more than the best one, mostly of other homotopy
+        classes. */
     class Alternatives
     {
     public:
-        /** \brief A path is kept if its cost is at most this many times the best one. */
+        /** \brief A path is kept if its cost is at most this factor times that of the best one. */
         static constexpr double SLACK = 1.1;
 
-        /** \brief Keeps \e path, in the place of the oldest where there are three. */
+        /** \brief Keeps \e path, replacing the oldest if there are three already. */
         void add(const path::Waypoints &path);
 
         std::size_t size() const

@@ -46,19 +46,19 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief The pairs of start and goal of a query, each once, as they become known. */
+    /** \brief Enumerates the start-goal pairs of a query, each once, as starts and goals become known. */
     class EndPairs
     {
     public:
-        /** \brief The next pair of numbers into the query's starts and goals; none while there is no new one. */
+        /** \brief The next pair of indices into the query's starts and goals, or nothing if there is no new one. */
         std::optional<std::pair<std::size_t, std::size_t>> next(const Query &query);
 
-        /** \brief Has next() return the pair that it returned last once more. */
+        /** \brief Makes next() return its last pair again. */
         void putBack();
 
     private:
-        std::vector<std::size_t> goals_;  ///< of each start: goals with which it was returned
-        std::size_t last_{0};             ///< start of the last pair
+        std::vector<std::size_t> goals_;  ///< for each start: number of goals already returned with it
+        std::size_t last_{0};             ///< start index of the last pair
     };
 }  // namespace ompl_mfa::engine
 

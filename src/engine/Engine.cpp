@@ -54,14 +54,15 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Bounds of a turn, in units of PathEvaluator::work(). */
+        /* Least and greatest budget of a turn, in units of PathEvaluator::work(). */
         constexpr std::uint64_t SHORTEST_TURN = 400;
         constexpr std::uint64_t LONGEST_TURN = 8000;
 
-        /* Pause where no part can do anything. */
+        /* Pause when no part is ready. */
         constexpr std::chrono::milliseconds IDLE(1);
 
-        /* The evaluator asks the condition of this search and no later one, however the search ends. */
+        /* Sets the evaluator's stop condition for this search and resets it when the search ends, also by an
+           exception. */
         class StopConditionScope
         {
         public:
@@ -234,9 +235,9 @@ namespace ompl_mfa::engine
         turn_ = number;
         gains_.assign(parts_.parts.size(), 0.0);
         Findings findings(context_.chart->space());
-        // turns grow with the work done, so that no part spends its time beginning
+        // turns grow with the work done so far, so that the overhead of starting a turn stays small
         part.advance(std::clamp(evaluator.work() / 20, SHORTEST_TURN, LONGEST_TURN), findings);
-        // what becomes of a path is paid for by the part that found it
+        // the part that found a path pays for its tightening
         consider(findings);
         const double spent = meter.spent();
         context_.progress.addTime(part.kind(), spent);
@@ -260,7 +261,7 @@ namespace ompl_mfa::engine
         }
     }
 
-    /* A raw path is far from the best of its homotopy class: it is compared after tightening. */
+    /* A raw path is far from the best of its homotopy class, so it is tightened before it is compared. */
     void Engine::consider(Proposal proposal)
     {
         path::PathEvaluator &evaluator = context_.evaluator();
@@ -331,7 +332,7 @@ namespace ompl_mfa::engine
         return true;
     }
 
-    /* The gain is that of the part whose turn it is, and of the part that found the path which was made better. */
+    /* Credits both the part whose turn it is and the part that found the path which was improved. */
     void Engine::credit(std::optional<PartKind> origin, double gain)
     {
         for (std::size_t i = 0; i < gains_.size(); ++i)
@@ -343,8 +344,7 @@ namespace ompl_mfa::engine
         }
     }
 
-    /* Wherever the first path of finite cost came from, the parts share the time from then on as it suits its
-       improvement. */
+    /* Once there is a path of finite cost, whatever found it, the parts use their improvement shares. */
     void Engine::updatePhase()
     {
         if (improving_ || !context_.incumbent.hasFinitePath())
@@ -360,7 +360,7 @@ namespace ompl_mfa::engine
         }
     }
 
-    /* The piece of the motion up to the last valid state is discretised by itself and may not be valid. */
+    /* The segment of the motion up to the last valid state is discretised by itself and may not be valid. */
     void Engine::offerPartial(const path::Waypoints &path, std::size_t motion, const ob::State *lastValid)
     {
         double distance = 0.0;

@@ -54,27 +54,27 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief The search for one query: decides whose turn it is, what becomes of the paths that the parts propose, and
-        when the search is over. */
+    /** \brief The search for one query: chooses which part gets the next turn, tightens and compares the paths that the
+        parts propose, and decides when to stop. */
     class Engine
     {
     public:
-        /** \brief As SearchContext; \e guest makes a planner that takes turns with the other parts, or is null. Throws
-            ompl::Exception where nothing searches, or if \e guest returns no planner. */
+        /** \brief Arguments as for SearchContext; \e guest allocates the guide planner, or is null. Throws
+            ompl::Exception if no part can find a first path, or if \e guest returns no planner. */
         Engine(const ompl::base::Planner &owner, const path::StateChartPtr &chart, const SearchSettings &settings,
                std::uint64_t seed, const ompl::base::PlannerAllocator &guest, SearchProgress &progress);
         ~Engine();
         Engine(const Engine &) = delete;
         Engine &operator=(const Engine &) = delete;
 
-        /** \brief Whether the search for this query can go on for \e pdef: it asks the same, the bounds of the space
-           are what they were, and what was found still holds. Goals change in place, and so do the validity checker's
-            answers; where the stop condition leaves no time to check, the path is taken as it was. */
+        /** \brief Whether this search can be continued for \e pdef: the query and the bounds of the space are the same,
+           and the results so far are still valid. Goals and the validity checker's answers may have changed, so the
+           best path is checked again, unless the stop condition leaves no time for it. */
         bool canContinue(const ompl::base::ProblemDefinition &pdef, const ompl::base::PlannerTerminationCondition &ptc);
 
-        /** \brief Searches until \e ptc is true or nothing better can be found. Returns EXACT_SOLUTION if it has
-            searched, whatever it found, else the status that says why not. Calls \e mayPublish when it begins, when the
-            best path became better, and after every turn. */
+        /** \brief Searches until \e ptc is true or no better path can be found. Returns EXACT_SOLUTION if a search took
+            place, whether or not it found a path, else the status that explains why it did not. Calls \e mayPublish at
+            the beginning, after each improvement of the best path, and after each turn. */
         ompl::base::PlannerStatus::StatusType search(ompl::base::PlannerInputStates &inputs,
                                                      const ompl::base::PlannerTerminationCondition &ptc,
                                                      const std::function<void()> &mayPublish);
@@ -84,10 +84,10 @@ namespace ompl_mfa::engine
             return context_;
         }
 
-        /** \brief What all parts know, and the best path. */
+        /** \brief Appends what all parts know, and the best path, to \e graph. */
         void explain(SearchGraph &graph) const;
 
-        /** \brief The swarms of the search; null where no fireflies fly. */
+        /** \brief The swarms of the search; null without fireflies. */
         const fireflies::Swarms *swarms() const
         {
             return parts_.swarms.get();
@@ -109,15 +109,15 @@ namespace ompl_mfa::engine
         void offerPartial(const path::Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
 
         SearchContext context_;
-        std::vector<double> bounds_;  ///< of the space when the search began
+        std::vector<double> bounds_;  ///< bounds of the space when the search began
         PartList parts_;
         TurnSharing sharing_;
         StraightMotions straightMotions_;
         OptimalityProof proof_;
-        std::vector<Proposal> pending_;  ///< whose costs the stop condition left unknown
-        std::vector<double> gains_;      ///< of the parts in this turn
-        std::size_t turn_{0};            ///< number of the part whose turn it is
-        bool improving_{false};          ///< whether the parts share the time as they do once there is a path
+        std::vector<Proposal> pending_;  ///< proposals whose cost is not computed yet
+        std::vector<double> gains_;      ///< gain of each part in this turn
+        std::size_t turn_{0};            ///< index of the part whose turn it is
+        bool improving_{false};          ///< whether the parts use their improvement shares
         std::function<void()> mayPublish_;
     };
 }  // namespace ompl_mfa::engine

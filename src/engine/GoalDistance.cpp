@@ -52,7 +52,7 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* The states to which one of OMPL's own goals measures the distance; none for goals of other kinds. */
+        /* The states to which a goal of one of OMPL's own types measures the distance; none for other goals. */
         std::vector<const ob::State *> measuredStates(const ob::Goal &goal)
         {
             std::vector<const ob::State *> states;

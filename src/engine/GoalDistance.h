@@ -44,9 +44,8 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief Goal::isSatisfied, with the \e distance to the goal where one is asked for. OMPL's own goals that list
-        states measure the distance to each of them; where OMPL cannot compute one, those of \e guard are taken instead.
-     */
+    /** \brief Goal::isSatisfied, optionally with the \e distance to the goal. For OMPL's own goals that list states, a
+        distance that OMPL cannot compute is replaced by that of \e guard. */
     bool isSatisfied(const ompl::base::Goal &goal, const path::DubinsGuard &guard, const ompl::base::State *state,
                      double *distance);
 }  // namespace ompl_mfa::engine

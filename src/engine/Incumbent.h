@@ -49,13 +49,13 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief The best path known: valid from a start to a goal once there is one, and until then the path whose end
-        came nearest to the goal. */
+    /** \brief The best path known from a start to a goal; before there is one, the valid path that ends nearest to the
+        goal. */
     class Incumbent
     {
     public:
-        /** \brief Orders the paths by \e objective and keeps \e cost, which outlives the object, at that of the best
-            path: infinite (not the objective's infinite cost) before there is one. */
+        /** \brief Compares paths by \e objective and stores the cost of the best one in \e cost, which must outlive the
+            object: infinity (not the objective's infinite cost) before there is one. */
         Incumbent(ompl::base::OptimizationObjectivePtr objective, const ompl::base::StateSpacePtr &space,
                   std::atomic<double> &cost);
 
@@ -64,12 +64,12 @@ namespace ompl_mfa::engine
             return !path_.empty();
         }
 
-        /** \brief Whether the best path has a finite cost: one that leads through what the objective forbids by the
-            worst of its costs is valid, but no reason to end or to slow down the search for a first path. */
+        /** \brief Whether the best path has a finite cost. A path of infinite cost (through lethal cells of a cost map)
+            is valid, but the search for a first path goes on. */
         bool hasFinitePath() const;
 
-        /** \brief What a path should beat: infinite (any path) while there is none; where the best path has no finite
-            cost the extreme finite number, which all finite costs beat; else cost(). */
+        /** \brief The cost that a path should beat: infinity (any path) before there is one; if the best path has
+            infinite cost, the worst finite cost; else cost(). */
         double bound() const;
 
         const path::Waypoints &path() const
@@ -77,50 +77,52 @@ namespace ompl_mfa::engine
             return path_;
         }
 
-        /** \brief Cost of the best path; infinite (not the objective's infinite cost) before there is one. */
+        /** \brief Cost of the best path; infinity (not the objective's infinite cost) before there is one. */
         double cost() const
         {
             return cost_.load(std::memory_order_relaxed);
         }
 
-        /** \brief Whether a path of cost \e cost would be kept. */
+        /** \brief Whether a path of cost \e cost is better than the best one. */
         bool improvedBy(double cost) const;
 
         /** \brief Keeps \e path, whose motions are all valid, if it is better than the best so far. \e origin is the
-            part that found it, if one did. */
+            part that found it; none for a straight motion. */
         bool offer(const path::Waypoints &path, double cost, std::optional<PartKind> origin = std::nullopt);
 
-        /** \brief The part that found the best path, if one did. */
+        /** \brief The part that found the best path; none for a straight motion. */
         std::optional<PartKind> origin() const
         {
             return origin_;
         }
 
-        /** \brief How often the best path became a better one. */
+        /** \brief Number of improvements of the best path. */
         std::uint64_t improvements() const
         {
             return improvements_;
         }
 
-        /** \brief The path that came nearest to the goal. */
+        /** \brief The valid path that ends nearest to the goal. */
         const path::Waypoints &partialPath() const
         {
             return partial_;
         }
 
-        /** \brief Distance of its end from the goal, in the goal's unit; infinite where there is none. */
+        /** \brief Distance from the end of partialPath() to the goal, in the goal's unit; infinity if there is no such
+            path. */
         double partialDistance() const
         {
             return partialDistance_;
         }
 
-        /** \brief Corrects the distance of the partial path's end, after the goal changed. */
+        /** \brief Updates partialDistance() after the goal changed. */
         void setPartialDistance(double distance)
         {
             partialDistance_ = distance;
         }
 
-        /** \brief Keeps the first \e count states of \e path and \e last, if \e last is nearer to the goal. */
+        /** \brief Keeps the first \e count states of \e path followed by \e last, if \e last is nearer to the goal than
+            the end of partialPath(). */
         bool offerPartial(const path::Waypoints &path, std::size_t count, const ompl::base::State *last,
                           double distance);
 

@@ -42,7 +42,8 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Random detours that have to keep to the objective's bounds before a path that meets them ends the search. */
+        /* Random detours that are compared with the objective's lower bounds before a path that meets them ends the
+           search. */
         constexpr unsigned int PROBES = 64;
     }  // namespace
 
@@ -68,8 +69,8 @@ namespace ompl_mfa::engine
         return pairs_.isBest(context_.incumbent.cost(), query.starts(), query.goals());
     }
 
-    /* A proof is as good as the objective's heuristic. Where it is not known to be a bound, detours tell: an objective
-       may charge the straight motion more than a detour. */
+    /* The proof relies on the objective's heuristic. Unless that is certain to be a lower bound, it is tested on random
+       detours: an objective may charge more for the straight motion than for a detour. */
     bool OptimalityProof::boundsHold()
     {
         path::PathEvaluator &evaluator = context_.evaluator();

@@ -42,14 +42,14 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief Tells when the best path is the best possible by the objective's lower bounds. */
+    /** \brief Decides whether the best path is optimal, by the objective's lower bounds. */
     class OptimalityProof
     {
     public:
-        /** \brief \e context outlives the object. */
+        /** \brief \e context must outlive the object. */
         explicit OptimalityProof(const SearchContext &context);
 
-        /** \brief Whether no path can be better than the incumbent, which there is. */
+        /** \brief Whether no path can be better than the incumbent. Requires that there is one. */
         bool holds();
 
     private:
@@ -58,7 +58,7 @@ namespace ompl_mfa::engine
 
         const SearchContext &context_;
         PairBounds pairs_;
-        unsigned int probes_{0};  ///< detours held against the objective's bounds
+        unsigned int probes_{0};  ///< detours tested so far
     };
 }  // namespace ompl_mfa::engine
 

@@ -44,7 +44,7 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Pairs taken up by one call: about a millisecond where a distance is that of a car. */
+        /* Pairs processed per call: about a millisecond if distances are those of Dubins or Reeds-Shepp curves. */
         constexpr std::size_t PAIRS_AT_ONCE = 1000;
     }  // namespace
 
@@ -53,7 +53,7 @@ namespace ompl_mfa::engine
     {
     }
 
-    /* What is no number promises most. */
+    /* NaN, an unknown bound, counts as the best. */
     bool PairBounds::better(double a, double b) const
     {
         if (std::isnan(a) || std::isnan(b))
@@ -90,7 +90,7 @@ namespace ompl_mfa::engine
         std::size_t pairs = 0;
         while (pairs < PAIRS_AT_ONCE && (ofStart_.size() < starts.size() || ofGoal_.size() < goals.size()))
         {
-            // the pairs taken up are those of the first starts with the first goals
+            // the pairs processed so far are all of the first starts with the first goals
             if (ofStart_.size() < starts.size())
             {
                 const std::size_t i = ofStart_.size();

@@ -46,28 +46,28 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief Lower bounds of the cost between the starts and the goals of a query, each pair computed once. What is
-        asked of them afterwards takes constant time, however many pairs there are. */
+    /** \brief Lower bounds of the cost between the starts and the goals of a query. Each pair is computed once; a
+        look-up then takes constant time, however many pairs there are. */
     class PairBounds
     {
     public:
-        /** \brief \e bounds outlives the object. */
+        /** \brief \e bounds must outlive the object. */
         explicit PairBounds(const path::CostBounds &bounds);
 
-        /** \brief Takes up the states that were appended to \e starts and \e goals since the last call, some thousand
-            pairs at a time. Fewer states than before are those of another query. */
+        /** \brief Processes the states that were appended to \e starts and \e goals since the last call, at most a few
+            thousand pairs per call. If there are fewer states than before, the query is a new one. */
         void update(const path::Waypoints &starts, const path::Waypoints &goals);
 
-        /** \brief Whether a path that begins at start \e i can be better than \e bound (infinite: any). True of a
-            start that was not taken up yet. */
+        /** \brief Whether a path from start \e i can be better than \e bound (infinity: any). True if that start is not
+            processed yet. */
         bool startCanBeat(std::size_t i, double bound) const;
 
-        /** \brief The same for a path that ends at goal \e j. */
+        /** \brief The same for a path to goal \e j. */
         bool goalCanBeat(std::size_t j, double bound) const;
 
-        /** \brief Whether a path of cost \e cost is the best that the bounds allow: none of the pairs of \e starts and
-            \e goals promises better, and one promises just this. A cost that is better than all bounds proves nothing,
-            but that they are none. */
+        /** \brief Whether a path of cost \e cost is proven optimal: no pair of \e starts and \e goals has a better
+            lower bound, and one has just this. If the cost is better than all bounds, they are wrong and nothing is
+            proven. */
         bool isBest(double cost, const path::Waypoints &starts, const path::Waypoints &goals) const;
 
     private:
@@ -75,8 +75,8 @@ namespace ompl_mfa::engine
         bool better(double a, double b) const;
 
         const path::CostBounds &bounds_;
-        std::vector<double> ofStart_;  ///< the best over all goals
-        std::vector<double> ofGoal_;   ///< the best over all starts
+        std::vector<double> ofStart_;  ///< for each start, the best bound over all goals
+        std::vector<double> ofGoal_;   ///< for each goal, the best bound over all starts
         double best_{std::numeric_limits<double>::quiet_NaN()};
     };
 }  // namespace ompl_mfa::engine

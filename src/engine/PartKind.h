@@ -53,7 +53,7 @@ namespace ompl_mfa::engine
         GoalSearch
     };
 
-    /** \brief Names of the parts, by PartKind, as users read them. */
+    /** \brief The parts' names for users, indexed by PartKind. */
     inline constexpr std::array<const char *, 7> PART_NAMES{"fireflies", "recombination", "tightening", "trees",
                                                             "roadmap",   "guide planner", "goal search"};
 }  // namespace ompl_mfa::engine

@@ -52,7 +52,7 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Fireflies of the paper, and of a swarm that other parts assist. */
+        /* Population sizes of the paper, and of a swarm beside other parts. */
         constexpr unsigned int PAPER_POPULATION = 100;
         constexpr unsigned int POPULATION = 20;
 

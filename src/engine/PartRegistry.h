@@ -55,14 +55,14 @@ namespace ompl_mfa::engine
     struct PartList
     {
         std::vector<std::unique_ptr<SearchPart>> parts;
-        PathRefiner *refiner{nullptr};              ///< one of parts, or null
-        std::shared_ptr<fireflies::Swarms> swarms;  ///< of the parts that have fireflies; may be null
-        bool guided{false};  ///< whether there are parts beside the fireflies that find first paths
+        PathRefiner *refiner{nullptr};              ///< element of parts that tightens paths, or null
+        std::shared_ptr<fireflies::Swarms> swarms;  ///< shared by the parts that use fireflies; may be null
+        bool guided{false};                         ///< whether a part other than the fireflies can find a first path
     };
 
-    /** \brief The parts that the settings of \e context name, and a guest planner unless \e guest is null. The paper's
-        algorithm is one part: fireflies whose coordinates are offsets. Throws ompl::Exception where no part can find a
-        first path, or if \e guest returns no planner. */
+    /** \brief Makes the parts that the settings of \e context ask for, and one for a guide planner unless \e guest is
+        null. The paper's algorithm is a single part: fireflies whose coordinates are offsets. Throws ompl::Exception if
+        no part can find a first path, or if \e guest returns no planner. */
     PartList makeParts(const SearchContext &context, const ompl::base::PlannerAllocator &guest);
 }  // namespace ompl_mfa::engine
 

@@ -54,7 +54,7 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Goal states beyond these add little, and each costs a motion check from every start. */
+        /* More goal states than these add little, and each costs a motion check from every start. */
         constexpr std::size_t MAX_GOALS = 1000;
 
         bool isListed(const ob::Goal &goal)
@@ -81,7 +81,7 @@ namespace ompl_mfa::engine
             return goal.as<ob::GoalState>()->getState();
         }
 
-        /* OMPL takes what is not a number for a coordinate within any bounds of R^n. */
+        /* OMPL accepts NaN as a coordinate within any bounds of R^n. */
         bool isFinite(const ob::StateSpace &space, const ob::State *state)
         {
             std::vector<double> coordinates;
@@ -89,8 +89,8 @@ namespace ompl_mfa::engine
             return std::all_of(coordinates.begin(), coordinates.end(), [](double x) { return std::isfinite(x); });
         }
 
-        /* Whether one of count states equals state. The search begins behind the last that was found, so that two lists
-           in the same order are compared in one pass. */
+        /* Whether one of count states equals state. The search begins after the last match, so that two lists in the
+           same order are compared in one pass. */
         template <typename StateAt>
         bool isAmong(std::size_t count, const StateAt &stateAt, const ob::StateSpace &space, const ob::State *state,
                      std::size_t &last)
@@ -165,7 +165,7 @@ namespace ompl_mfa::engine
             }
             return true;
         }
-        // what a sampler makes need not satisfy the goal; what did has to do so still
+        // sampled states need not satisfy the goal; those that did must still do so
         for (std::size_t i = 0; i < goals_.size(); ++i)
         {
             if (satisfied_[i] && !isSatisfied(*goal_, guard_, goals_[i], nullptr))
@@ -198,7 +198,7 @@ namespace ompl_mfa::engine
             return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
         }
         si_ = si;
-        // everything is read again, and taken if it is not known yet: states may have been replaced
+        // all inputs are read again, as states may have been replaced; known ones are skipped
         inputs.restart();
         listed_ = 0;
         while (const ob::State *start = inputs.nextStart())
@@ -236,7 +236,8 @@ namespace ompl_mfa::engine
         const auto *lazy = dynamic_cast<const ob::GoalLazySamples *>(goal_.get());
         for (;;)
         {
-            // asked before the goals are read: what its thread adds until it ends is not missed
+            // asked before the goals are read, so that states which the sampling thread adds until it ends are not
+            // missed
             const bool moreToCome = !isListed(*goal_) || (lazy != nullptr && lazy->isSampling());
             if (readGoal(inputs))
             {
@@ -333,7 +334,7 @@ namespace ompl_mfa::engine
         {
             return false;
         }
-        // a region without end is sampled ever more rarely
+        // a region never runs out of samples: sample it ever more rarely
         nextGoalPoll_ = polls_ + ++sampled_;
         return addGoal(sample);
     }

@@ -51,44 +51,43 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief The start and goal states of a problem definition that are known so far, each of them once. Goals may
-        arrive late. The problem definition may be another one in each solve(), and its states and its goal may change
-       in place in between: what is known is kept for as long as all of it still is asked for. */
+    /** \brief The start and goal states of a problem definition that are known so far, without duplicates. Goals may
+        arrive late. Each solve() may bring another problem definition, or changed states and goal in the same one: what
+        is known is kept as long as the query still includes all of it. */
     class Query
     {
     public:
         explicit Query(const ompl::base::StateSpacePtr &space);
 
-        /** \brief Whether \e pdef asks something else than what is known answers: another goal or objective, or one of
-            starts() or goals() is no start or no goal state any more. States that were only added, and the order of
-            states, make no difference. */
+        /** \brief Whether \e pdef is a different query: it has another goal or objective, or lacks one of starts() or
+            goals(). Additional states and the order of states make no difference. */
         bool differsFrom(const ompl::base::ProblemDefinition &pdef) const;
 
-        /** \brief Whether \e path begins at one of starts() and ends at one of goals() or where the goal is satisfied
-            otherwise. */
+        /** \brief Whether \e path begins at one of starts() and ends at one of goals() or at another state that
+            satisfies the goal. */
         bool isAnsweredBy(const path::Waypoints &path) const;
 
-        /** \brief Remembers what \e pdef asks. To be called once, before begin(). */
+        /** \brief Stores the goal and objective of \e pdef. To be called once, before begin(). */
         void ask(const ompl::base::ProblemDefinition &pdef);
 
-        /** \brief To be called at the beginning of each solve(): reads all start states and waits for a first goal
-            state where the goal can be sampled and none is known. Returns EXACT_SOLUTION if planning can begin, else
-            the status that says why not. States that satisfy a goal which cannot be sampled but tells distances have
-            to be found by others, who hand them over with addGoal(). */
+        /** \brief To be called at the beginning of each solve(): reads all start states and, if the goal can be sampled
+            and no goal state is known, waits for the first. Returns EXACT_SOLUTION if planning can begin, else the
+            status that explains why not. For a goal that cannot be sampled but measures distances, goal states have to
+            be searched for and added by addGoal(). */
         ompl::base::PlannerStatus::StatusType begin(ompl::base::PlannerInputStates &inputs,
                                                     const ompl::base::PlannerTerminationCondition &ptc,
                                                     const ompl::base::SpaceInformationPtr &si);
 
-        /** \brief Takes start and goal states that have arrived since; true if there were any. */
+        /** \brief Adds start and goal states that arrived since the last call; true if there were any. */
         bool poll(ompl::base::PlannerInputStates &inputs);
 
-        /** \brief Takes \e state, which is valid and satisfies the goal; true if it is new. */
+        /** \brief Adds \e state, which must be valid and satisfy the goal; true if it is new. */
         bool addGoal(const ompl::base::State *state);
 
-        /** \brief Whether goal states have to be searched for: the goal cannot be sampled but tells distances. */
+        /** \brief Whether goal states have to be searched for: the goal cannot be sampled but measures distances. */
         bool needsGoalSearch() const;
 
-        /** \brief Whether there are so many goal states that no more are taken. */
+        /** \brief Whether the maximum number of goal states is reached. */
         bool hasEnoughGoals() const;
 
         const path::Waypoints &starts() const
@@ -101,7 +100,7 @@ namespace ompl_mfa::engine
             return goals_;
         }
 
-        /** \brief Whether no goal state can come any more that is not in goals(). */
+        /** \brief Whether goals() is final: no further goal state can arrive. */
         bool goalsComplete() const;
 
         const ompl::base::GoalPtr &goal() const
@@ -110,11 +109,11 @@ namespace ompl_mfa::engine
         }
 
     private:
-        /** \brief Waits for a first valid goal state, but not for one that cannot come. */
+        /** \brief Waits for a first valid goal state as long as one can arrive. */
         ompl::base::PlannerStatus::StatusType awaitGoal(ompl::base::PlannerInputStates &inputs,
                                                         const ompl::base::PlannerTerminationCondition &ptc);
 
-        /** \brief Whether a goal state can be read at once, valid or not. */
+        /** \brief Whether a goal state can be read without waiting, valid or not. */
         bool haveMoreGoals(const ompl::base::PlannerInputStates &inputs) const;
 
         /** \brief Reads a goal state, if there is one; true if it is valid and new. */
@@ -127,14 +126,14 @@ namespace ompl_mfa::engine
         path::Waypoints starts_;
         path::Waypoints goals_;
         path::DubinsGuard guard_;
-        std::vector<bool> satisfied_;  ///< whether each of goals_ satisfied the goal when it was taken
+        std::vector<bool> satisfied_;  ///< for each of goals_: whether it satisfied the goal when it was added
         ompl::base::SpaceInformationPtr si_;
         ompl::base::GoalPtr goal_;
         ompl::base::OptimizationObjectivePtr askedObjective_;
-        std::size_t listed_{0};  ///< states of a goal that lists them which were read in this solve()
+        std::size_t listed_{0};  ///< number of states read in this solve() from a goal that lists its states
         std::uint64_t polls_{0};
         std::uint64_t nextGoalPoll_{0};
-        std::uint64_t sampled_{0};  ///< valid goal states that were sampled, known ones included
+        std::uint64_t sampled_{0};  ///< valid goal states sampled so far, including known ones
     };
 }  // namespace ompl_mfa::engine
 

@@ -53,17 +53,17 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief What the search for one query has in common: its parts read it, and only the engine changes it. */
+    /** \brief The data that all parts of a search share: they read it, and only the engine changes it. */
     class SearchContext
     {
     public:
-        /** \brief \e planner is the one that searches; it tells which nearest-neighbour structure suits the space.
-            \e runSeed != 0 is that of the run. \e planner and \e shown outlive the context. */
+        /** \brief \e planner is used to choose the nearest-neighbour structure for the space. \e runSeed != 0 is the
+            seed of the run. \e planner and \e shown must outlive the context. */
         SearchContext(const ompl::base::Planner &planner, path::StateChartPtr stateChart,
                       const ompl::base::OptimizationObjectivePtr &objective, SearchSettings frozen,
                       std::uint64_t runSeed, SearchProgress &shown);
 
-        /** \brief Whether there are start and goal states. */
+        /** \brief Whether a start and a goal state are known. */
         bool hasEnds() const
         {
             return !query.starts().empty() && !query.goals().empty();

@@ -45,8 +45,8 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief What parts of the search know, as copies: states that are valid as far as they know, and motions that
-       were found valid. */
+    /** \brief Copies of what the parts of a search know, for planner data: states not known to be invalid, and valid
+       motions. */
     struct SearchGraph
     {
         explicit SearchGraph(const ompl::base::StateSpacePtr &space)
@@ -71,9 +71,9 @@ namespace ompl_mfa::engine
         }
 
         path::Waypoints states;
-        std::vector<std::pair<std::size_t, std::size_t>> edges;  ///< from and to, into states
-        std::vector<std::size_t> starts;                         ///< into states
-        std::vector<std::size_t> goals;                          ///< into states
+        std::vector<std::pair<std::size_t, std::size_t>> edges;  ///< indices into states: from, to
+        std::vector<std::size_t> starts;                         ///< indices into states
+        std::vector<std::size_t> goals;                          ///< indices into states
     };
 }  // namespace ompl_mfa::engine
 

@@ -43,8 +43,8 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Dimensions beyond which the roadmap has less of the time, and below which more, but no more than so many
-           times as much. */
+        /* The dimension in which the roadmap has its nominal share. In more dimensions it has less and in fewer more,
+           up to a maximum factor. */
         constexpr double ROADMAP_DIMENSIONS = 3.0;
         constexpr double MOST_ROADMAP = 1.5;
     }  // namespace

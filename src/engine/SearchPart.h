@@ -54,13 +54,13 @@ namespace ompl_mfa::engine
     {
         enum class Stage : unsigned char
         {
-            Raw,      ///< to be tightened before it is judged: far from the best of its homotopy class
-            Tight,    ///< as tightening left it
-            Straight  ///< one motion, which nothing tightens
+            Raw,      ///< far from the best of its homotopy class: to be tightened before it is compared
+            Tight,    ///< already tightened
+            Straight  ///< a single motion, which is not tightened
         };
 
         path::Waypoints path;
-        std::optional<ompl::base::Cost> cost;  ///< of path; computed by the engine where it is not given
+        std::optional<ompl::base::Cost> cost;  ///< cost of path; computed by the engine if not given
         Stage stage{Stage::Raw};
         std::optional<PartKind> origin;  ///< the part that found the path; none for a straight motion
     };
@@ -69,19 +69,20 @@ namespace ompl_mfa::engine
     path::Waypoints replaceSegment(const path::Waypoints &path, std::size_t first, std::size_t last,
                                    const path::Waypoints &segment);
 
-    /** \brief A valid segment that may replace one of a path: tightened, it is compared with that alone. */
+    /** \brief A valid replacement for a segment of a path; after tightening its cost is compared with that
+        segment's. */
     struct Detour
     {
         path::Waypoints segment;
         ompl::base::Cost cost;   ///< of segment
-        ompl::base::Cost rival;  ///< cost of the segment to be replaced
+        ompl::base::Cost rival;  ///< cost of the segment that it may replace
         path::Waypoints path;
-        std::size_t first;  ///< vertex of path where the segment begins
-        std::size_t last;   ///< vertex of path where it ends
+        std::size_t first;  ///< first vertex of the replaced segment in the path
+        std::size_t last;   ///< its last vertex
         PartKind origin;
     };
 
-    /** \brief What a turn of a part brought. */
+    /** \brief The results of one turn of a part. */
     struct Findings
     {
         explicit Findings(const ompl::base::StateSpacePtr &space)
@@ -91,30 +92,30 @@ namespace ompl_mfa::engine
 
         std::vector<Proposal> paths;
         std::vector<Detour> detours;
-        path::Waypoints goals;  ///< states that satisfy the goal
+        path::Waypoints goals;  ///< new states that satisfy the goal
     };
 
-    /** \brief How much of the time a part gets, relative to the others. */
+    /** \brief A part's claim to computing time, relative to the other parts'. */
     struct Share
     {
-        double weight;      ///< at first; it grows with what the part gains for its work
-        double floor;       ///< of the weight, however little the part gains
-        double delay{0.0};  ///< seconds that the parts without a delay work before its first turn
+        double weight;      ///< initial weight; it grows with the gain for the work
+        double floor;       ///< lower bound of the weight
+        double delay{0.0};  ///< time in s that the parts without a delay work before this one's first turn
     };
 
     enum class Readiness : unsigned char
     {
-        Idle,     ///< a turn would lead to nothing
-        Waiting,  ///< others should go first, but it keeps its claim to the time that passes
+        Idle,     ///< has nothing to do
+        Waiting,  ///< lets other parts go first, but keeps its claim to the time that passes
         Ready
     };
 
-    /** \brief One way of searching, which takes turns with others. It knows what they have in common, but none of
-        them. */
+    /** \brief One search method, which takes turns with others. It reads the shared SearchContext and knows none of the
+        others. */
     class SearchPart
     {
     public:
-        /** \brief \e context outlives the part. */
+        /** \brief \e context must outlive the part. */
         SearchPart(PartKind kind, const SearchContext &context);
         virtual ~SearchPart() = default;
         SearchPart(const SearchPart &) = delete;
@@ -125,23 +126,23 @@ namespace ompl_mfa::engine
             return kind_;
         }
 
-        /** \brief Its share before there is a path of finite cost. */
+        /** \brief The share before there is a path of finite cost. */
         virtual Share firstShare() const = 0;
 
-        /** \brief Its share from then on; the first path took \e seconds of work. */
+        /** \brief The share after that; \e seconds is how long the search for the first path took. */
         virtual Share improvementShare(double seconds) const = 0;
 
         virtual Readiness readiness() const = 0;
 
-        /** \brief Searches for about \e work units of PathEvaluator::work(), or until it has something to hand over.
-            The next call goes on from there. */
+        /** \brief Searches with a budget of about \e work units of PathEvaluator::work(), or until there is a result.
+            The next call resumes the search. */
         virtual void advance(std::uint64_t work, Findings &findings) = 0;
 
         /** \brief Called when \e proposal became the best path. */
         virtual void improved(const Proposal &proposal);
 
-        /** \brief Appends to \e graph the states that the part has, none of which is known to be invalid, with the
-            motions between them that it found valid; nothing where it cannot answer for either. */
+        /** \brief Appends to \e graph the part's states, except those known to be invalid, and its valid motions. By
+            default nothing. */
         virtual void explain(SearchGraph &graph) const;
 
     protected:
@@ -150,7 +151,7 @@ namespace ompl_mfa::engine
             return context_;
         }
 
-        /** \brief Appends a raw path of this part's. */
+        /** \brief Appends a raw path found by this part. */
         void propose(path::Waypoints path, Findings &findings) const;
 
     private:
@@ -158,20 +159,20 @@ namespace ompl_mfa::engine
         const SearchContext &context_;
     };
 
-    /** \brief Makes paths better that other parts found, at once and as far as it pays. */
+    /** \brief Tightens paths that other parts found, immediately and for as long as this is promising. */
     class PathRefiner
     {
     public:
         virtual ~PathRefiner() = default;
 
-        /** \brief Tightens \e path of cost \e cost until it is better than \e rival, or for as long as what the last
-            rounds gained promises that it will be. The result is valid until the next call. */
+        /** \brief Tightens \e path of cost \e cost until it is better than \e rival, or until the recent gains no
+            longer promise that it will be. The result is valid until the next call. */
         virtual const path::Waypoints &refine(const path::Waypoints &path, ompl::base::Cost &cost,
                                               ompl::base::Cost rival) = 0;
     };
 
-    /** \brief How much of the time suits a roadmap in a space of this dimension, relative to three dimensions: one of
-        n states leaves gaps of n^(-1/d), so that it finds the less the more dimensions there are. */
+    /** \brief Factor for a roadmap's share of the time by the dimension of the space, 1 in three dimensions: n states
+        leave gaps of n^(-1/d), so a roadmap is less efficient in more dimensions. */
     double roadmapFactor(const path::StateChart &chart);
 }  // namespace ompl_mfa::engine
 

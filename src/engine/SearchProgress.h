@@ -46,11 +46,11 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief Numbers of a search that other threads may read while it runs. */
+    /** \brief Progress values of a search, which other threads may read while it runs. */
     class SearchProgress
     {
     public:
-        std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};  ///< infinite before the first path
+        std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};  ///< infinity before the first path
         std::atomic<std::uint64_t> iterations{0};                               ///< firefly generations
         std::atomic<std::uint64_t> evaluations{0};                              ///< path evaluations
 
@@ -65,14 +65,14 @@ namespace ompl_mfa::engine
             }
         }
 
-        /** \brief Counts \e seconds of work by \e part. Called by the searching thread only. */
+        /** \brief Adds \e seconds to the time of \e part. Called by the searching thread only. */
         void addTime(PartKind part, double seconds)
         {
             auto &spent = spent_[static_cast<std::size_t>(part)];
             spent.store(spent.load(std::memory_order_relaxed) + seconds, std::memory_order_relaxed);
         }
 
-        /** \brief Seconds that all parts have worked. */
+        /** \brief Total time of all parts, in s. */
         double time() const
         {
             double sum = 0.0;
@@ -83,7 +83,7 @@ namespace ompl_mfa::engine
             return sum;
         }
 
-        /** \brief The share of \e part in the work so far, in [0, 1]; 0 before any work. */
+        /** \brief The fraction of time() used by \e part, in [0, 1]; 0 before any turn. */
         double share(PartKind part) const
         {
             const double sum = time();

@@ -41,8 +41,8 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief The parameters of a search with their defaults; mfaParameters() says what each means and accepts. A
-       search works on a copy that does not change. */
+    /** \brief The parameters of a search with their defaults; mfaParameters() describes each. A search uses a copy that
+       does not change. */
     struct SearchSettings
     {
         std::string variant{"mfa"};
@@ -70,7 +70,7 @@ namespace ompl_mfa::engine
             return guide == "roadmap" || guide == "both";
         }
 
-        /** \brief Whether fireflies search alone: the algorithm of the paper, as long as there is no guide planner. */
+        /** \brief Whether the fireflies are the only part, as in the paper's algorithm (a guide planner aside). */
         bool isPaper() const
         {
             return fireflies && !usesTrees() && !usesRoadmap() && !recombination && !tightening;

@@ -44,9 +44,10 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* How far beside a motion that OMPL cannot compute a state lies, in parts of its length. */
+        /* Lateral distance of the intermediate state for a motion that OMPL cannot compute, as a fraction of its
+           length. */
         constexpr double ASIDE = 1e-4;
-        /* Work of the guides before the first straight motion is followed for a partial path. */
+        /* Work before the first straight motion is checked for a partial path, if there are guides. */
         constexpr std::uint64_t FIRST_WORK = 14000;
     }  // namespace
 
@@ -99,7 +100,7 @@ namespace ompl_mfa::engine
         followed_ = true;
     }
 
-    /* The motion from start to goal; where OMPL cannot compute that, two motions over a state a little beside it. */
+    /* The motion from start to goal or, if OMPL cannot compute it, two motions through a state slightly beside it. */
     path::Waypoints StraightMotions::path(const ob::State *start, const ob::State *goal) const
     {
         const path::StateChart &chart = *context_.chart;

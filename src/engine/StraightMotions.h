@@ -43,16 +43,17 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief Tries the straight motion from every start to every goal, before anything else is searched. */
+    /** \brief Tries the straight motion from every start to every goal, before the parts search. */
     class StraightMotions
     {
     public:
-        /** \brief Without guides (\e guided) a straight motion that is not valid serves as partial path at once, as far
-            as it leads; else once the guides have not found a path soon. \e context outlives the object. */
+        /** \brief Without guides (\e guided false) the valid beginning of an invalid straight motion becomes the
+            partial path immediately; otherwise only if the guides find no path soon. \e context must outlive the
+            object. */
         StraightMotions(const SearchContext &context, bool guided);
 
-        /** \brief Tries the motions of the pairs that are new until one is valid. One that the stop condition cut short
-            is tried again by the next call. */
+        /** \brief Tries the motions of new pairs until one is valid. A motion whose check was interrupted is tried
+            again by the next call. */
         void advance(Findings &findings);
 
     private:
@@ -62,7 +63,7 @@ namespace ompl_mfa::engine
         const SearchContext &context_;
         bool guided_;
         EndPairs pairs_;
-        bool followed_{false};  ///< whether the first straight motion has served as partial path
+        bool followed_{false};  ///< whether the first straight motion was used for the partial path
     };
 }  // namespace ompl_mfa::engine
 

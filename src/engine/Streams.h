@@ -43,8 +43,8 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief Every stream of random numbers in a run. What draws numbers has a stream of its own here, so that no two
-        parts of a run draw the same ones, nor do two runs with different seeds. */
+    /** \brief The random number streams of a run. Every consumer has its own, so that no two draw the same numbers,
+        neither within a run nor in runs with different seeds. */
     enum class Stream : std::uint64_t
     {
         // of a run
@@ -52,10 +52,10 @@ namespace ompl_mfa::engine
         Roadmap,        ///< RoadmapPart
         Tightening,     ///< PathTightening of the best path
         NewTightening,  ///< PathTightening of new paths
-        Windows,        ///< which windows are opened
+        Windows,        ///< choice of windows
         WindowSwarm,    ///< the swarm of the window with this index
         Swarm,          ///< the swarm on the straight axis with this index
-        Detours,        ///< the detour with this index that is held against the objective's bounds
+        Detours,        ///< the detour with this index, for testing the objective's bounds
         GoalSearch,     ///< the search for states that satisfy a goal
 
         // of a swarm, or of a search for goals
@@ -63,8 +63,8 @@ namespace ompl_mfa::engine
         Recombination  ///< fresh states for recombination
     };
 
-    /** \brief The seed of \e stream: of the \e index-th where there are several. \e seed is that of the run, or of the
-        swarm or goal search that the stream belongs to. */
+    /** \brief The seed of \e stream, or of its \e index-th instance if there are several. \e seed is that of the run,
+        or of the swarm or goal search that owns the stream. */
     inline std::uint64_t streamSeed(std::uint64_t seed, Stream stream, std::uint64_t index = 0)
     {
         return deriveSeed(seed, static_cast<std::uint64_t>(stream), index);

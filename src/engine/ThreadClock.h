@@ -39,16 +39,15 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief What the operating system knows of the calling thread: the only part of the planner that is not portable
-        C++. On systems other than Linux processorTime() is 0 and waits() differs with each call, so that wall time
-        counts. */
+    /** \brief What the operating system reports on the calling thread: the only code of the planner that is not
+        portable C++. On systems other than Linux, processorTime() is 0 and waits() differs on each call, so that wall
+        time is used. */
     namespace thread_clock
     {
-        /** \brief Processor time that the thread has used, in s. */
+        /** \brief Processor time used by the thread, in s. */
         double processorTime();
 
-        /** \brief How often the thread has waited, for another thread or for anything else but its turn on the
-            processor. */
+        /** \brief How often the thread has blocked, waiting for anything but the processor. */
         long waits();
     }  // namespace thread_clock
 }  // namespace ompl_mfa::engine

@@ -52,19 +52,20 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Time of a unit of bookkeeping, and of what a search of neighbours does with a distance, in s. */
+        /* Time in s of a unit of bookkeeping, and of handling a distance in a nearest-neighbour search apart from
+           computing it. */
         constexpr double BOOKKEEPING_TIME = 1e-7;
         constexpr double NEIGHBOUR_TIME = 20e-9;
-        /* What any turn takes. */
+        /* Least duration of a turn, in s. */
         constexpr double SHORTEST = 1e-9;
-        /* Distances computed by a search: in a tree (GNAT) so many for each of its levels, by the dimension of the
-           space, and for each state where the distance is no metric. Fitted to 3000 and 15000 states of R^2 to R^16,
-           SE(2) and SE(3). */
+        /* Distances computed by a nearest-neighbour query: in a tree (GNAT) a number per level that depends on the
+           dimension; a constant number per state if the distance is no metric. Fitted to 3000 and 15000 states of R^2
+           to R^16, SE(2) and SE(3). */
         constexpr double TREE_SEARCH = 7.0;
         constexpr double TREE_GROWTH = 1.65;
         constexpr double LINEAR_SEARCH = 3.0;
 
-        /* Time of computing a distance in nearest-neighbour searches among thousands of states of each space, in s. */
+        /* Time in s of computing a distance, in nearest-neighbour queries among thousands of states of each space. */
         double computingTime(const ob::StateSpace &space)
         {
             if (dynamic_cast<const ob::ReedsSheppStateSpace *>(&space) != nullptr)

@@ -44,24 +44,24 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief What it takes to compute a distance of the space and to use it in a search of nearest neighbours, in s,
-       on a machine of 2020 or so: an estimate that is the same on all machines. */
+    /** \brief Time in s of computing a distance of the space within a nearest-neighbour query, on a machine of about
+       2020: a fixed estimate, the same on all machines. */
     double distanceTime(const ompl::base::StateSpace &space);
 
-    /** \brief An estimate of how many distances a search for nearest neighbours among \e states computes. OMPL's
-        structures draw random numbers that no seed fixes, so that a count would differ from run to run. */
+    /** \brief Estimated number of distances that a nearest-neighbour query among \e states computes. OMPL's structures
+        use random numbers that no seed fixes, so an actual count would differ from run to run. */
     std::uint64_t neighbourDistances(const ompl::base::StateSpace &space, std::size_t states);
 
-    /** \brief Measures what a turn costs, in s: by a clock, or, where a run has to repeat, by counted work.
+    /** \brief Measures what a turn costs, in s: by a clock or, for repeatable runs, by counted work.
 
-        The clock is that of the thread's processor time, which other programs do not distort, unless the thread had to
-        wait: for threads that help it, or for the answer of a validity checker. Such a turn took the time of the wall's
-        clock. Counted work has three prices: that of a state check, which the user declares, that of a distance, which
-        depends on the space, and that of a unit of other bookkeeping. */
+        The clock is the thread's processor time, which other programs do not distort. For a turn in which the thread
+        blocked, waiting for worker threads or a validity checker, it is wall time. Counted work has three prices: of
+        a state check, declared by the user; of a distance, which depends on the space; and of a unit of other
+        bookkeeping. */
     class TurnMeter
     {
     public:
-        /** \brief By the clock, or if \e stateCheckTime (s) is positive by the work of \e evaluator, which outlives
+        /** \brief Uses the clock or, if \e stateCheckTime (s) is positive, the work of \e evaluator, which must outlive
             the meter. */
         TurnMeter(const path::PathEvaluator &evaluator, double stateCheckTime);
 

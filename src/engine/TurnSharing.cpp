@@ -43,9 +43,9 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* What a past turn still counts for after another turn of any part. */
+        /* Factor by which the weight of a past turn decays with each later turn of any part. */
         constexpr double MEMORY = 0.9;
-        /* What is shared out by gain; the floors come on top. */
+        /* The share of the time that is distributed by gain, in addition to the floors. */
         constexpr double PAYOFF = 0.4;
     }  // namespace
 
@@ -70,7 +70,7 @@ namespace ompl_mfa::engine
         {
             return best;
         }
-        // a part that could not take its turns does not get them all at once later
+        // an idle part does not make up for missed turns later
         for (std::size_t i = 0; i < parts_.size(); ++i)
         {
             if (readiness[i] == Readiness::Idle)

@@ -45,23 +45,23 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief Shares work between parts that take turns: each has a share, which grows with what the part gained for
-       its recent work and never falls below a floor. */
+    /** \brief Distributes turns among parts: a part's share grows with its recent gain per work and never falls below a
+       floor. */
     class TurnSharing
     {
     public:
-        /** \brief Adds a part; returns its number: 0, 1, ... */
+        /** \brief Adds a part; returns its index: 0, 1, ... */
         std::size_t add(const Share &share);
 
-        /** \brief The number of the part whose turn it is, by the readiness of each: of those that are ready the one
-            that has worked least for its share, or of those that wait where none is ready; none where all are idle. */
+        /** \brief The index of the next part, given the readiness of each: among the ready parts, the one with the
+            least work relative to its share; if none is ready, the same among the waiting ones; nothing if all are
+            idle. */
         std::optional<std::size_t> next(const std::vector<Readiness> &readiness);
 
-        /** \brief Records a turn of \e part: its \e work, and what each part gained by it, in any unit that is the
-            same for all parts. */
+        /** \brief Records a turn of \e part: its \e work, and each part's gain from it, in any common unit. */
         void record(std::size_t part, double work, const std::vector<double> &gains);
 
-        /** \brief The part of all shares that \e part has now, in (0, 1]. */
+        /** \brief The current fraction of \e part in all shares, in (0, 1]. */
         double share(std::size_t part) const;
 
     private:
@@ -69,7 +69,7 @@ namespace ompl_mfa::engine
         {
             double share;
             double floor;
-            double pass{0.0};  ///< work done, divided by the share at the time
+            double pass{0.0};  ///< work done, each turn's divided by the share at that time
             double gain{0.0};
             double work{0.0};
         };

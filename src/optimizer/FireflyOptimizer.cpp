@@ -49,8 +49,8 @@ namespace ompl_mfa
 {
     namespace
     {
-        /** \brief The range of the coordinates in the paper's study of eq. (19): gamma means on every box what it means
-         * there. */
+        /** \brief The range of the coordinates in the paper's study of eq. (19), to which distances are scaled so that
+        gamma has the same meaning on every box. */
         constexpr double REFERENCE_RANGE = 10.0;
 
         [[noreturn]] void refuse(const char *setting, double value, const std::string &accepted)
@@ -311,7 +311,7 @@ namespace ompl_mfa
         return std::max(0.0, settings_.eta - static_cast<double>(epochGeneration_) / settings_.generations);
     }
 
-    // The numbers of the injected fireflies are drawn too, and thrown away: the others do not depend on them.
+    // Coordinates are also drawn for injected fireflies, and discarded, so that the others do not depend on them.
     bool FireflyOptimizer::placeInitial(const StopCondition &stop)
     {
         for (; cursor_ < settings_.populationSize; ++cursor_)
@@ -377,7 +377,8 @@ namespace ompl_mfa
                 restartEpoch();
             }
         }
-        // The brightest has nothing to move toward; whoever is as bright moves at random (rule 2 of the paper).
+        // The brightest firefly has nothing to move toward; those that are equally bright move at random (rule 2 of the
+        // paper).
         std::fill(moves_.begin(), moves_.end(), true);
         moves_[order_.front()] = false;
         rank_ = 0;
@@ -386,7 +387,8 @@ namespace ompl_mfa
         return true;
     }
 
-    // population_ does not change before the last firefly has moved: all attract from where the generation found them.
+    // population_ is unchanged until the last firefly has moved: fireflies attract from their positions at the
+    // beginning of the generation.
     bool FireflyOptimizer::move(const StopCondition &stop)
     {
         const double beta0Now = beta0();
@@ -489,7 +491,7 @@ namespace ompl_mfa
             for (; trial_ < TRIAL_VECTORS; ++trial_)
             {
                 const auto candidate = trials_.col(trial_);
-                // A crossover that took every component from F_i is no trial.
+                // A trial that took every component from F_i is not evaluated.
                 if (!settings_.trialVectors[trial_] || candidate == population_.col(cursor_))
                 {
                     {
@@ -582,8 +584,8 @@ namespace ompl_mfa
         return true;
     }
 
-    // A merge sort from short runs to long ones: what std::sort makes of a large population takes too long to be done
-    // between two calls of stop.
+    // A merge sort from short runs to long ones: std::sort of a large population would take too long between two calls
+    // of stop.
     bool FireflyOptimizer::sortByBrightness(const ObjectiveFunction &objective, const StopCondition &stop)
     {
         const auto brighter = [&](unsigned int a, unsigned int b)

@@ -51,21 +51,21 @@ namespace ompl_mfa::optimizer
     class OMPL_MFA_EXPORT TestFunction : public ObjectiveFunction
     {
     public:
-        /** \brief \e name is one of names(): throws InputError for another. \e dimension is d >= 1, for rosenbrock
-            d >= 2: throws InputError. With a \e shift (d x 1, or empty for none) the optimum lies that much farther
-            from where the literature puts it, which shows an optimiser that favours the centre; the cube stays. */
+        /** \brief \e name is one of names(): throws InputError for any other. \e dimension is d >= 1, for rosenbrock d
+            >= 2: throws InputError. With a \e shift (d x 1, or empty for none) the optimum is moved by that much, which
+            reveals an optimiser that favours the centre; the cube stays. */
         TestFunction(const std::string &name, unsigned int dimension, const Eigen::VectorXd &shift = {});
 
-        /** \brief sinc is eq. (19), the others are those of the literature (Surjanovic and Bingham, Virtual Library of
-            Simulation Experiments). */
+        /** \brief The accepted names. sinc is eq. (19); for the others see Surjanovic and Bingham, Virtual Library of
+            Simulation Experiments. */
         static const std::vector<std::string> &names();
 
         Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) override;
 
-        /** \brief The value of the function itself; sinc is to be maximised, the others to be minimised. */
+        /** \brief The value at \e x; sinc is to be maximised, the others are to be minimised. */
         double value(const Eigen::Ref<const Eigen::VectorXd> &x) const;
 
-        /** \brief The value of the function for a cost of Brightness. */
+        /** \brief The function value that corresponds to \e brightness, whose cost is to be minimised. */
         double valueOf(const Brightness &brightness) const;
 
         const std::string &name() const
@@ -89,7 +89,7 @@ namespace ompl_mfa::optimizer
         double lower_;
         double upper_;
 
-        /** \brief Every coordinate of the unshifted optimum. */
+        /** \brief Every coordinate of the optimum before the shift. */
         double optimum_;
         Eigen::VectorXd shift_;
         double (*function_)(const Eigen::VectorXd &x);

@@ -59,11 +59,11 @@ namespace ompl_mfa::path
 {
     namespace
     {
-        /* A bound is beaten by more than this part of the cost, or by rounding only. */
+        /* A cost beats a bound only by more than this fraction of the cost; less is rounding. */
         constexpr double ROUNDING = 1e-9;
 
-        /* Whether no detour is shorter than the distance. A Dubins car whose motions may be taken either way is faster
-           with a turn in reverse, which a single motion of it does not have. */
+        /* Whether the distance obeys the triangle inequality. That of symmetric Dubins curves does not: several motions
+           with a cusp in between may be shorter than a single one. */
         bool obeysTriangleInequality(const ob::StateSpace &space)
         {
             if (isExactly<ob::RealVectorStateSpace, ob::SO2StateSpace, ob::SO3StateSpace, ob::ReedsSheppStateSpace>(
@@ -145,7 +145,7 @@ namespace ompl_mfa::path
             cost.value());
     }
 
-    /* No number where OMPL cannot compute the motion, on whose length the objective's answer may rest. */
+    /* NaN if OMPL cannot compute the motion, whose length the objective may need. */
     double CostBounds::motionBound(const ob::State *from, const ob::State *to) const
     {
         return guard_.computes(from, to) ? objective_->motionCostHeuristic(from, to).value()
@@ -154,7 +154,7 @@ namespace ompl_mfa::path
 
     double CostBounds::combine(double to, double from) const
     {
-        // an objective that takes the better or the worse of two costs might lose what is no number
+        // an objective whose combination is a minimum or maximum might drop a NaN
         if (std::isnan(to) || std::isnan(from))
         {
             return std::numeric_limits<double>::quiet_NaN();

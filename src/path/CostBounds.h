@@ -44,63 +44,65 @@
 
 namespace ompl_mfa::path
 {
-    /** \brief The finite cost that all other finite costs beat. */
+    /** \brief The worst finite cost: all others are better. */
     double worstFiniteCost(const ompl::base::OptimizationObjective &objective);
 
-    /** \brief Lower bounds of costs, used for as long as nothing contradicts them.
+    /** \brief Lower bounds of costs, used until a computed cost contradicts them.
 
-        OMPL asks of OptimizationObjective::motionCostHeuristic that no path be better than it says, but an objective
-        need not keep to that: the default is identityCost, which is wrong where motions may earn something, and an
-        objective derived from PathLengthOptimizationObjective inherits its own motionCost as heuristic, which is wrong
-        where a detour costs less than the straight motion. So every cost that is computed is held against the bounds
-        here, and once one is beaten, none is used any more. */
+        OMPL requires OptimizationObjective::motionCostHeuristic to be a lower bound, but an objective may violate
+        this. The default is identityCost, which is wrong with negative motion costs; an objective derived from
+        PathLengthOptimizationObjective inherits its own motionCost as heuristic, which is wrong if a detour costs
+        less than the straight motion. So every computed cost is compared with the bounds, and once one is better, no
+        bound is used any more. */
     class CostBounds
     {
     public:
         CostBounds(const ompl::base::SpaceInformationPtr &si, ompl::base::OptimizationObjectivePtr objective);
 
-        /** \brief Whether the bounds hold by what is known of the objective and the space, so that nothing needs to be
-            observed: path length over one of OMPL's metrics. */
+        /** \brief Whether the bounds are certain, so that costs need not be observed: path length over one of OMPL's
+            own metrics. */
         bool certain() const
         {
             return certain_;
         }
 
-        /** \brief Whether no path came out better than the heuristic. */
+        /** \brief Whether no observed path was better than the heuristic. */
         bool admissible() const
         {
             return admissible_;
         }
 
-        /** \brief Whether no motion came out better than identityCost, so that a path gets no better by going on. */
+        /** \brief Whether no observed motion was better than identityCost, so that extending a path never improves its
+            cost. */
         bool monotone() const
         {
             return monotone_;
         }
 
-        /** \brief Learns from the cost of the motion \e from -> \e to, valid or not. */
+        /** \brief Compares the cost of the motion \e from -> \e to, valid or not, with the bounds. */
         void observeMotion(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost cost);
 
-        /** \brief Learns from the combined cost of motions that lead \e from -> \e to, valid or not. */
+        /** \brief Compares the combined cost of consecutive motions from \e from to \e to, valid or not, with the
+            bounds. */
         void observePath(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost cost);
 
-        /** \brief What a path from \e start to \e goal costs at the least, with initial and terminal cost. */
+        /** \brief Lower bound of the cost of paths from \e start to \e goal, with initial and terminal cost. */
         double lowerBound(const ompl::base::State *start, const ompl::base::State *goal) const;
 
-        /** \brief What a path from \e start to \e state costs at the least, with initial cost. */
+        /** \brief Lower bound of the cost of paths from \e start to \e state, with initial cost. */
         double lowerBoundTo(const ompl::base::State *start, const ompl::base::State *state) const;
 
-        /** \brief What a path from \e state to \e goal costs at the least, with terminal cost. */
+        /** \brief Lower bound of the cost of paths from \e state to \e goal, with terminal cost. */
         double lowerBoundFrom(const ompl::base::State *state, const ompl::base::State *goal) const;
 
-        /** \brief The combination of two such bounds. */
+        /** \brief The combination of lowerBoundTo() and lowerBoundFrom(). */
         double combine(double to, double from) const;
 
-        /** \brief Whether a path of a cost that is at the least \e lowerBound can be better than \e bound (infinite:
-            any), a cost of paths with initial and terminal cost. A lower bound that is no number promises anything. */
+        /** \brief Whether a path with this \e lowerBound can be better than \e bound (infinity: any), a cost with
+            initial and terminal cost. True if \e lowerBound is NaN. */
         bool canBeat(double lowerBound, double bound) const;
 
-        /** \brief Whether a path from \e start through \e state to \e goal can be better than \e bound (infinite:
+        /** \brief Whether a path from \e start through \e state to \e goal can be better than \e bound (infinity:
             any). */
         bool canBeat(const ompl::base::State *start, const ompl::base::State *state, const ompl::base::State *goal,
                      double bound) const;

@@ -47,15 +47,16 @@
 
 namespace ompl_mfa::path
 {
-    /** \brief Counts the states that another validity checker is asked to check, and passes everything on to it.
-        Thread-safe where that one is. */
+    /** \brief Counts the states that another validity checker is asked to check, and forwards all calls to it.
+        Thread-safe if that checker is. */
     class OMPL_MFA_EXPORT CountingValidityChecker : public ompl::base::StateValidityChecker
     {
     public:
-        /** \brief Counts in itself. */
+        /** \brief Uses a counter of its own. */
         CountingValidityChecker(const ompl::base::SpaceInformationPtr &si, ompl::base::StateValidityCheckerPtr checker);
 
-        /** \brief Counts in \e count, which outlives it and may lie in memory that other processes read. */
+        /** \brief Uses the counter \e count, which must outlive it and may lie in memory shared with other
+            processes. */
         CountingValidityChecker(const ompl::base::SpaceInformationPtr &si, ompl::base::StateValidityCheckerPtr checker,
                                 std::atomic<std::uint64_t> &count);
 
@@ -64,12 +65,12 @@ namespace ompl_mfa::path
         bool isValid(const ompl::base::State *state, double &distance, ompl::base::State *validState,
                      bool &validStateAvailable) const override;
 
-        /** \brief Not counted, for it tells a distance, not whether a state is valid. */
+        /** \brief Forwarded but not counted. */
         double clearance(const ompl::base::State *state) const override;
         double clearance(const ompl::base::State *state, ompl::base::State *validState,
                          bool &validStateAvailable) const override;
 
-        /** \brief States checked so far. */
+        /** \brief Number of states checked so far. */
         std::uint64_t checks() const;
 
     private:

@@ -54,14 +54,14 @@ namespace ompl_mfa::path
     namespace
     {
         constexpr double TWO_PI = boost::math::constants::two_pi<double>();
-        /* OMPL takes an angle that is short of a full turn by less than 5e-7 rad for 0: here with room for the rounding
-           of the numbers that it is compared with. */
+        /* OMPL rounds an angle less than 5e-7 rad short of a full turn to 0; the factor allows for rounding of the
+           numbers compared with this. */
         constexpr double ROUNDED = 1.02 * 5e-7;
-        /* By how much the end of a curve may be missed, in turning radii: half of what OMPL asserts. */
+        /* Largest accepted miss of a curve's end, in turning radii: half of what OMPL's assertions accept. */
         constexpr double LARGEST_MISS = 1e-6;
-        /* Distance in turning radii beyond which the rounding of doubles alone breaks the assertions. */
+        /* Distance in turning radii beyond which rounding of doubles alone violates the assertions. */
         constexpr double FARTHEST = 1e8;
-        /* Angle (rad) by which a heading is turned, and how many multiples of it are tried on either side. */
+        /* Angle (rad) by which a heading is turned, and the number of its multiples tried in either direction. */
         constexpr double TURN = 2e-6;
         constexpr int TURNS = 8;
 
@@ -76,14 +76,15 @@ namespace ompl_mfa::path
             }
         };
 
-        /* By how many turning radii a line through one pose misses a circle at another, and how far ahead on it. */
+        /* The distance by which a line through one pose misses a circle at another, and how far ahead, both in turning
+           radii. */
         struct Tangent
         {
             double miss;
             double ahead;
         };
 
-        /* The first turn of a curve is rounded to nothing where the line straight ahead nearly touches a circle at its
+        /* Whether the first turn of a curve may be rounded to 0: the line straight ahead nearly touches a circle at its
            end. */
         bool missesEnd(const Tangent &tangent)
         {
@@ -91,9 +92,9 @@ namespace ompl_mfa::path
             return miss > LARGEST_MISS && miss < ROUNDED * tangent.ahead;
         }
 
-        /* The same for a curve that begins on the straight piece of one that ends in a small turn: its end then lies by
-           1 - cos of the turn beside the line ahead, and the other circle there by twice as much. The bounds have room
-           for the difference of the turn and its sine. */
+        /* The same for a curve that begins on the straight segment of one that ends in a small turn: its end is 1 - cos
+           of the turn beside the line ahead, and the other circle there twice as much. The bounds allow for the
+           difference between the turn and its sine. */
         bool partsMissEnd(const Tangent &back)
         {
             const double turn = back.miss / back.ahead;
@@ -101,7 +102,7 @@ namespace ompl_mfa::path
             return back.ahead > 0.0 && miss > 0.9 * LARGEST_MISS && miss < 2.2 * ROUNDED * (back.ahead + 1.0);
         }
 
-        /* Two poses, in turning radii and in the frame whose x axis leads from one position to the other. */
+        /* Two poses, in turning radii, in the frame whose x axis leads from the first position to the second. */
         class PosePair
         {
         public:
@@ -128,7 +129,7 @@ namespace ompl_mfa::path
             /* Whether OMPL can compute the curves from the first to the second. */
             bool curvesExist() const
             {
-                // a heading a little to the right of the direction to the end is itself taken for that
+                // a heading slightly to the right of the direction to the end is rounded to that direction
                 const bool rounded = cosFirst_ > 0.0 && sinFirst_ < 0.0 && sinFirst_ > -ROUNDED;
                 if (!(distance_ < FARTHEST) || (rounded && -sinFirst_ * distance_ > LARGEST_MISS))
                 {
@@ -141,7 +142,7 @@ namespace ompl_mfa::path
                        !missesEnd({across - bend_, ahead - shift_});
             }
 
-            /* Whether OMPL can compute those from states on the curves to their end. */
+            /* Whether OMPL can compute the curves from states on those curves to their end. */
             bool partsExist() const
             {
                 const double across = distance_ * sinLast_;
@@ -151,8 +152,8 @@ namespace ompl_mfa::path
             }
 
         private:
-            /* Whether the first and the last turn of a curve that turns left at both ends may both be rounded, which
-               changes its last heading by more than OMPL accepts. */
+            /* Whether the first and the last turn of a left-straight-left curve may both be rounded, which changes its
+               last heading by more than OMPL accepts. */
             bool losesBothTurns(double sinFirst) const
             {
                 return cosFirst_ > 0.0 && cosLast_ > 0.0 && std::abs(sinFirst) < 2.0 * ROUNDED &&
@@ -160,12 +161,12 @@ namespace ompl_mfa::path
             }
 
             double distance_;
-            double cosFirst_;  ///< of the angle from the direction of the second position to the heading
+            double cosFirst_;  ///< angle from the direction of the second position to the heading
             double sinFirst_;
             double cosLast_;
             double sinLast_;
             double bend_;   ///< 1 - cos of the angle between the headings
-            double shift_;  ///< sin of the first heading less the last
+            double shift_;  ///< sin(first heading - last heading)
         };
 
         template <typename State>
@@ -178,7 +179,7 @@ namespace ompl_mfa::path
             return state;
         }
 
-        /* Turns the first pose by as little as lets OMPL compute the curves from it to the second. */
+        /* Turns the first pose by the smallest angle that lets OMPL compute the curves from it to the second. */
         bool turn(Pose &from, const Pose &to, double radius)
         {
             const double yaw = from.getYaw();
@@ -195,7 +196,7 @@ namespace ompl_mfa::path
         }
     }  // namespace
 
-    /* Copies of the ends of a motion whose headings are turned by as little as makes it one that OMPL can compute. */
+    /* Copies of the ends of a motion with their headings turned by the smallest angles that let OMPL compute it. */
     class DubinsGuard::TurnedMotion
     {
     public:
@@ -211,7 +212,7 @@ namespace ompl_mfa::path
                 exists_ =
                     exists_ && turn(first, last, curve.radius) && (!curve.symmetric || turn(last, first, curve.radius));
             }
-            // turning one end may have undone what the other was turned for
+            // turning the second end may have invalidated the first
             exists_ = exists_ && guard.allCurvesExist(ends_[0], ends_[1]);
         }
 
@@ -258,7 +259,7 @@ namespace ompl_mfa::path
         }
     }
 
-    /* Whether all curves have \e property, in both directions where OMPL computes them so. */
+    /* Whether all curves have \e property, in both directions if OMPL computes both. */
     template <typename Property>
     bool DubinsGuard::allCurves(const ob::State *from, const ob::State *to, Property property) const
     {
@@ -313,7 +314,7 @@ namespace ompl_mfa::path
         {
             return space_->interpolate(turned.from(), turned.to(), t, state);
         }
-        // no curve leads from one to the other: the nearer end stands for what lies between
+        // there is no curve: the nearer end stands for the states in between
         space_->copyState(state, t < 0.5 ? from : to);
     }
 }  // namespace ompl_mfa::path

@@ -45,51 +45,54 @@
 
 namespace ompl_mfa::path
 {
-    /** \brief Keeps pairs of states from OMPL for which it cannot compute a Dubins curve.
+    /** \brief Detects motions whose Dubins curve OMPL cannot compute, so that OMPL is never asked for them.
 
-        OMPL rounds an angle that is short of a full turn by less than 5e-7 to 0. Where that is the first turn of a
-        curve, the straight piece after it misses its end by up to 5e-7 of its length, and an assertion of OMPL (which
-        Debian's library has switched on) ends the process once that is 2e-6 turning radii. The headings of states that
-        lie at random hardly ever meet this; the curves of shortest paths, which become tangent, do. OMPL 2.0 still
-        rounds, and asserts for two of the six kinds of curves.
+        OMPL rounds an angle that is short of a full turn by less than 5e-7 to 0. If that is the first turn of a
+        curve, the straight segment after it misses its end by up to 5e-7 of its length, and from 2e-6 turning radii
+        on an assertion (enabled in Debian's library) aborts the process. Random states hardly ever cause this, but
+        shortest paths, whose curves become tangent, do. OMPL 2.0 still rounds, and asserts for two of the six types
+        of curves.
 
-        A motion is refused where OMPL cannot compute it: where a curve would miss its end by more than 1e-6 radii. It
-       is also refused where OMPL can, but not the motion from a state on its straight piece to its end, as one that
-       ends in a turn by a few 1e-3 rad: so a path of motions that are not refused may be interpolated and measured.
-       Knows all Dubins spaces within a space, through any nesting of compounds; costs nothing where there are none.
-       Const functions may be called from several threads. */
+        A motion is refused if OMPL cannot compute it: if a curve would miss its end by more than 1e-6 radii. It is
+        also refused if OMPL cannot compute the motion from a state on its straight segment to its end, as is the
+        case for some motions that end in a turn by a few 1e-3 rad: so a path of accepted motions can be interpolated
+        and measured safely. Covers all Dubins spaces within a space, in any nesting of compounds; costs nothing if
+        there are none. Const functions may be called from several threads. */
     class DubinsGuard
     {
     public:
         explicit DubinsGuard(ompl::base::StateSpacePtr space);
 
-        /** \brief Whether there are motions that allows() refuses: not in a space without Dubins curves. */
+        /** \brief Whether allows() may refuse a motion; false in a space without Dubins curves. */
         bool refusesAny() const
         {
             return !curves_.empty();
         }
 
-        /** \brief Whether OMPL can compute the motion \e from -> \e to: its distance, states on it and a check. */
+        /** \brief Whether OMPL can compute the motion \e from -> \e to: its distance, interpolation and validity
+            check. */
         bool computes(const ompl::base::State *from, const ompl::base::State *to) const
         {
             return curves_.empty() || allCurvesExist(from, to);
         }
 
-        /** \brief Whether OMPL can compute the motion \e from -> \e to and the parts of it: what a path may have. */
+        /** \brief Whether OMPL can compute the motion \e from -> \e to and each segment of it, as required of the
+            motions of a path. */
         bool allows(const ompl::base::State *from, const ompl::base::State *to) const
         {
             return curves_.empty() || allPartsExist(from, to);
         }
 
-        /** \brief The space's distance. Where OMPL cannot compute it, that of a motion whose ends have their headings
-           turned by a few 1e-6 rad; infinite if there is none (ends more than 1e8 turning radii apart). */
+        /** \brief The space's distance. If OMPL cannot compute it, the distance of a motion whose ends have their
+           headings turned by a few 1e-6 rad; infinity if there is none (ends more than 1e8 turning radii apart). */
         double distance(const ompl::base::State *from, const ompl::base::State *to) const;
 
-        /** \brief The space's validSegmentCount; where OMPL cannot compute it, that of the turned motion, or 1. */
+        /** \brief The space's validSegmentCount; if OMPL cannot compute it, that of the turned motion, or 1 if there is
+            none. */
         unsigned int validSegmentCount(const ompl::base::State *from, const ompl::base::State *to) const;
 
-        /** \brief The space's interpolate, on the turned motion where OMPL cannot compute \e from -> \e to: then the \e
-           state for t = 0 may differ from \e from in its headings. */
+        /** \brief The space's interpolate, or that of the turned motion if OMPL cannot compute \e from -> \e to; the \e
+           state for t = 0 may then differ from \e from in its headings. */
         void interpolate(const ompl::base::State *from, const ompl::base::State *to, double t,
                          ompl::base::State *state) const;
 
@@ -98,7 +101,7 @@ namespace ompl_mfa::path
         {
             std::vector<std::size_t> chain;  ///< indices of the nested compounds, outermost first
             double radius;
-            bool symmetric;  ///< whether OMPL computes the curve from the end to the beginning too
+            bool symmetric;  ///< whether OMPL also computes the curve from the second state to the first
         };
 
         class TurnedMotion;

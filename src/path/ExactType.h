@@ -42,7 +42,7 @@
 namespace ompl_mfa::path
 {
     /** \brief Whether \e object, known as its \e Base, is of one of the \e Types itself and not of a type that a user
-        derived from it, which may behave otherwise. */
+        derived from it, which may behave differently. */
     template <typename... Types, typename Base>
     bool isExactly(const Base &object)
     {

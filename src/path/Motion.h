@@ -41,7 +41,7 @@
 
 namespace ompl_mfa::path
 {
-    /** \brief A motion between two states that belong to somebody else. */
+    /** \brief A motion between two states, which it does not own. */
     struct Motion
     {
         const ompl::base::State *from;

@@ -50,10 +50,10 @@ namespace ompl_mfa::path
 {
     namespace
     {
-        /* Checks that take less than this, in s, are done before another thread has woken up. */
+        /* Time in s of waking up another thread: shorter checks are done sooner by the calling one. */
         constexpr double WAKE_UP = 30e-6;
-        /* States inside a motion that are checked by the calling thread before others help: they tell how long the rest
-           will take, and find most of the motions out that are invalid. */
+        /* Number of inner states of a motion that the calling thread checks before others help: they show how long the
+           rest will take, and reveal most invalid motions. */
         constexpr std::size_t ALONE = 1;
 
         class Stopwatch
@@ -122,7 +122,7 @@ namespace ompl_mfa::path
         return count;
     }
 
-    /* The states that DiscreteMotionValidator checks, and in its order. */
+    /* Checks the states that DiscreteMotionValidator checks, in the same order. */
     bool ParallelChecks::checkStates(const Motion &motion)
     {
         return si_->isValid(motion.to) &&
@@ -151,7 +151,7 @@ namespace ompl_mfa::path
                          { return isValidAt(thread, motion, order_[alone + i], count); });
     }
 
-    /* The numbers 1 to \e count - 1, the middle first, then those of the halves, and so on. */
+    /* The numbers 1 to \e count - 1 in bisection order: the middle first, then those of the halves, and so on. */
     void ParallelChecks::bisect(unsigned int count)
     {
         order_.clear();

@@ -49,29 +49,29 @@
 
 namespace ompl_mfa::path
 {
-    /** \brief Validity checks by several threads, for checkers and motion validators that may be called from them.
+    /** \brief Validity checks by several threads, for thread-safe validity checkers and motion validators.
 
-        The answers are those of one thread. Where OMPL's own DiscreteMotionValidator would check a motion, the states
-        of the motion are shared out; any other validator checks motions as a whole, and those that are needed next are
-        checked at once. Threads are woken only for checks that take longer than that. */
+        The results are the same as with one thread. With OMPL's own DiscreteMotionValidator the states of a motion
+        are distributed among the threads; any other validator checks whole motions, and several that are needed next
+        are checked at the same time. Threads are woken only for checks that take longer than the waking. */
     class ParallelChecks
     {
     public:
         ParallelChecks(ompl::base::SpaceInformationPtr si, unsigned int threads);
 
-        /** \brief Whether the motion is valid; its first state is taken to be. */
+        /** \brief Whether the motion is valid; its first state is assumed to be. */
         bool checkMotion(const Motion &motion);
 
-        /** \brief Whether the states that divide the motion into \e count pieces are valid. */
+        /** \brief Whether the states that divide the motion into \e count equal segments are valid. */
         bool checkInside(const Motion &motion, unsigned int count);
 
-        /** \brief How many motions checkMotions() may be given to save time. */
+        /** \brief Number of motions that checkMotions() can check at the same time. */
         std::size_t motionsAtOnce() const
         {
             return splitsMotions() ? 1 : pool_.threads();
         }
 
-        /** \brief Checks some of \e count > 0 \e motions, the first at least, and tells whether they are \e valid.
+        /** \brief Checks the first few of \e count > 0 \e motions, at least one, and sets \e valid for each of them.
             Returns how many. */
         std::size_t checkMotions(const Motion *motions, std::size_t count, unsigned char *valid);
 
@@ -86,10 +86,10 @@ namespace ompl_mfa::path
 
         ompl::base::SpaceInformationPtr si_;
         WorkerPool pool_;
-        Waypoints scratch_;  ///< a state for each thread
+        Waypoints scratch_;  ///< one state per thread
         std::vector<unsigned int> order_;
         std::vector<std::pair<unsigned int, unsigned int>> intervals_;
-        double motionTime_{0.0};  ///< that the last whole motion took, s
+        double motionTime_{0.0};  ///< duration in s of the last check of a whole motion
     };
 }  // namespace ompl_mfa::path
 

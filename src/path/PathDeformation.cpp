@@ -44,7 +44,7 @@ namespace ompl_mfa::path
 {
     namespace
     {
-        /* Walks along a path from its beginning to its end. */
+        /* Interpolates a path at increasing distances from its beginning. */
         class Walk
         {
         public:
@@ -54,7 +54,7 @@ namespace ompl_mfa::path
             {
             }
 
-            /* The state at a distance from the beginning that is not less than that of the last call. */
+            /* The state at a distance from the beginning, no less than that of the last call. */
             void stateAt(double distance, ob::State *state)
             {
                 while (behind_ + motion_ < distance && next_ + 1 < path_.size())
@@ -71,7 +71,7 @@ namespace ompl_mfa::path
         private:
             const Waypoints &path_;
             std::size_t next_{1};
-            double behind_{0.0};  ///< length before the motion to next_
+            double behind_{0.0};  ///< path length before the motion to next_
             double motion_;
         };
     }  // namespace

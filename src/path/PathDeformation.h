@@ -42,12 +42,12 @@
 
 namespace ompl_mfa::path
 {
-    /** \brief Whether \e path seems to be of the same homotopy class as \e other: whether \e rungs motions between
-       them, at equal parts of their lengths, are all valid. Two paths of one class may fail the test, and two of
-       different classes pass it where what separates them lies between two rungs.
+    /** \brief Whether \e path probably is of the same homotopy class as \e other: whether \e rungs motions between
+       the paths, at equal fractions of their lengths, are all valid. Paths of one class may fail the test, and paths
+       of different classes may pass it if the obstacle between them lies between two rungs.
 
-        L. Jaillet and T. Simeon, Path deformation roadmaps: compact graphs with useful cycles for motion planning, IJRR
-        27(11-12), 2008, whose visibility deformation is tested here at a few places. */
+       L. Jaillet and T. Simeon, Path deformation roadmaps: compact graphs with useful cycles for motion planning,
+       IJRR 27(11-12), 2008, whose visibility deformation is tested here at a few places. */
     bool seemDeformable(PathEvaluator &evaluator, const Waypoints &path, const Waypoints &other,
                         unsigned int rungs = 7);
 }  // namespace ompl_mfa::path

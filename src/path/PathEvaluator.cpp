@@ -48,14 +48,15 @@ namespace ompl_mfa::path
 {
     namespace
     {
-        /* OMPL bisects a motion: an invalid one is found out after this part of its states, as a rule. */
+        /* OMPL bisects a motion: an invalid one is usually detected after this fraction (1 / INVALID_EARLY) of its
+           states. */
         constexpr std::uint64_t INVALID_EARLY = 6;
-        /* Motion costs that are mere distances, computed between two looks at the stop condition. */
+        /* Motion costs that are mere distances, computed between two evaluations of the stop condition. */
         constexpr std::uint64_t DISTANCES_BETWEEN_STOPS = 64;
-        /* States between two looks of a strict check at the stop condition. */
+        /* States of a strict check between two evaluations of the stop condition. */
         constexpr unsigned int STATES_BETWEEN_STOPS = 64;
 
-        /* The work of asking for \e states one after the other until one is invalid. */
+        /* The work of checking \e states one after the other until one is invalid. */
         std::uint64_t bisectionWork(std::uint64_t states, bool valid)
         {
             return valid ? states : 1 + states / INVALID_EARLY;
@@ -103,7 +104,7 @@ namespace ompl_mfa::path
             return true;
         }
         cost = objective_->motionCost(from, to);
-        // an integral over no length of an infinite cost
+        // integral of an infinite cost over a length of 0
         if (std::isnan(cost.value()) && si_->equalStates(from, to))
         {
             cost = objective_->identityCost();
@@ -140,7 +141,7 @@ namespace ompl_mfa::path
         return number(objective_->combineCosts(cost, objective_->terminalCost(path.back())), "path cost");
     }
 
-    /* Nothing is better or worse than what is not a number, so that no search would end with it. */
+    /* NaN is neither better nor worse than any cost, so no search would end with it. */
     ob::Cost PathEvaluator::number(ob::Cost cost, const char *what) const
     {
         if (std::isnan(cost.value()))
@@ -192,8 +193,7 @@ namespace ompl_mfa::path
         return valid;
     }
 
-    /* The states that divide a motion into \e count pieces, a power of two: the middle first, then those of the
-       halves. */
+    /* Checks the states that divide a motion into \e count segments, a power of two, in bisection order. */
     bool PathEvaluator::checkInside(const Motion &motion, unsigned int count)
     {
         for (unsigned int pieces = 2; pieces <= count; pieces *= 2)
@@ -215,8 +215,8 @@ namespace ompl_mfa::path
         return bisectionWork(si.getStateSpace()->validSegmentCount(motion.from, motion.to), valid);
     }
 
-    /* Whether motions_[i] is valid, asked of all i in turn: what one thread would not have come to check is neither
-       counted nor acted upon. */
+    /* Whether motions_[i] is valid; to be called for increasing i. Checks ahead by other threads are neither counted as
+       work nor acted upon until they are asked for here. */
     bool PathEvaluator::checkNext(std::size_t i)
     {
         if (!parallel_)
@@ -245,7 +245,7 @@ namespace ompl_mfa::path
         return valid_[i] != 0;
     }
 
-    /* The number of motions from the i-th on before one that OMPL cannot compute. */
+    /* The number of motions from index i on, before one that OMPL cannot compute. */
     std::size_t PathEvaluator::allowedFrom(std::size_t i) const
     {
         const auto first = motions_.begin() + static_cast<std::ptrdiff_t>(i);
@@ -352,7 +352,7 @@ namespace ompl_mfa::path
             return {};
         }
         const std::size_t motions = path.size() - 1;
-        // a path that fails often fails where the last one did
+        // a path that repeatedly fails often fails at the same motion
         const std::size_t first = partialPath_ || lastInvalid_ >= motions ? 0 : lastInvalid_;
         if (stride > 1 && !partialPath_ && !addInvalidLengths(path, first, stride, rival, result))
         {
@@ -384,7 +384,7 @@ namespace ompl_mfa::path
             {
                 reportPartialPath(path, i);
             }
-            // a motion that only the motion validator finds invalid still counts
+            // a motion that only the motion validator rejects still counts
             result.violation += invalidLength({path[i], path[i + 1]}, 1, 1);
             if (rival != nullptr && result.violation > rival->violation)
             {
@@ -406,7 +406,7 @@ namespace ompl_mfa::path
         partialPath_(path, motion, scratch_);
     }
 
-    /* Of the states that divide a motion into \e count pieces, and its end. */
+    /* Of the states that divide a motion into \e count segments, and its end. */
     unsigned int PathEvaluator::countInvalid(const ob::State *from, const ob::State *to, unsigned int count)
     {
         checks_ += count;
@@ -426,8 +426,8 @@ namespace ompl_mfa::path
         return invalid;
     }
 
-    /* The part of the motion's length that is invalid, by one state in \e stride, of which at least \e least are taken
-       to be invalid; all of it where OMPL cannot compute the motion. */
+    /* The invalid length of the motion, estimated from one state in \e stride, with at least \e least invalid states;
+       the whole length if OMPL cannot compute the motion. */
     double PathEvaluator::invalidLength(const Motion &motion, unsigned int stride, unsigned int least)
     {
         if (!guard_.allows(motion.from, motion.to))
@@ -440,8 +440,8 @@ namespace ompl_mfa::path
         return invalid > 0 ? si_->distance(motion.from, motion.to) * invalid / count : 0.0;
     }
 
-    /* Adds to the violation what one state in \e stride tells of it, from motion \e first on and then those before;
-       false if that settles the evaluation. */
+    /* Adds the invalid lengths, estimated from one state in \e stride, of the motions from \e first on and then of
+       those before it; false if that decides the evaluation. */
     bool PathEvaluator::addInvalidLengths(const Waypoints &path, std::size_t first, unsigned int stride,
                                           const Brightness *rival, Brightness &result)
     {

@@ -56,22 +56,20 @@
 
 namespace ompl_mfa::path
 {
-    /** \brief Cost and validity of waypoint paths, as lazily as they can be had: cost first, through the
-        OptimizationObjective; then one motion after the other through SpaceInformation::checkMotion, and no more of
-        them than the answer needs.
+    /** \brief Cost and validity of waypoint paths, evaluated lazily: first the cost, by the OptimizationObjective,
+        then one motion after the other by SpaceInformation::checkMotion, no more than needed.
 
-        It counts its work in state checks, so that the work of the parts of a planner can be compared without a
-        clock. A cost that is not a number is an ompl::Exception, whoever computed it. A motion that OMPL cannot compute
-        (see DubinsGuard) is invalid and of infinite cost. Not thread-safe; each thread has its own. With several
-        threads of its own it checks states and motions in parallel, and nothing else: its answers, its work and when it
-        asks the stop condition are those of one. */
+        Work is counted in state checks, so that the parts of a search can be compared without a clock. A cost that
+        is NaN throws an ompl::Exception. A motion that OMPL cannot compute (see DubinsGuard) is invalid and has
+        infinite cost. Not thread-safe. With several worker threads it checks states and motions in parallel, and
+        nothing else: results, work and evaluations of the stop condition are the same as with one thread. */
     class PathEvaluator
     {
     public:
         using StopCondition = std::function<bool()>;
 
-        /** \brief \e threads >= 1 is how many threads check states and motions, the calling one included. With more
-            than one, the validity checker and the motion validator are called from them at once. */
+        /** \brief \e threads >= 1 is the number of threads that check states and motions, including the calling one.
+            With more than one, the validity checker and the motion validator must be thread-safe. */
         PathEvaluator(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective,
                       unsigned int threads = 1);
         ~PathEvaluator();
@@ -88,37 +86,37 @@ namespace ompl_mfa::path
             return objective_;
         }
 
-        /** \brief What is known of lower bounds; learns from every cost that is computed here. */
+        /** \brief The lower bounds, which are compared with every cost computed here. */
         const CostBounds &bounds() const
         {
             return bounds_;
         }
 
-        /** \brief Asked before every motion check, and before the cost of every motion, or of a few dozen where that is
-           a mere distance: an integral along a motion takes as long as its check. Once it is true, motions count as
-           invalid without being checked, costs are infinite without being computed, and interrupted() tells so. */
+        /** \brief Sets the condition that is evaluated before every motion check and before the cost of every motion,
+           or of every few dozen motions if that is a mere distance. Once it is true, motions count as invalid without
+           being checked, costs are infinite without being computed, and interrupted() is true. */
         void setStopCondition(StopCondition stop);
 
-        /** \brief Whether the stop condition cut an answer short since it was set. */
+        /** \brief Whether the stop condition affected a result since it was set. */
         bool interrupted() const
         {
             return interrupted_;
         }
 
-        /** \brief Asks the stop condition, for searches that may go on long without checking a motion. */
+        /** \brief Evaluates the stop condition, for long searches without motion checks. */
         bool stopped();
 
-        /** \brief Computes the \e cost of one motion; false, with infinite cost, if interrupted. */
+        /** \brief Computes the \e cost of one motion; false, with an infinite cost, if interrupted. */
         bool motionCost(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost &cost);
 
-        /** \brief The cost of \e path (at least one state), as ompl::geometric::PathGeometric::cost has it. Infinite if
-            interrupted. */
+        /** \brief The cost of \e path (at least one state), as defined by ompl::geometric::PathGeometric::cost.
+            Infinite if interrupted. */
         ompl::base::Cost cost(const Waypoints &path);
 
-        /** \brief The cost of \e path whose motions cost \e motionCosts. */
+        /** \brief The cost of \e path, given those of its motions. */
         ompl::base::Cost cost(const Waypoints &path, const std::vector<ompl::base::Cost> &motionCosts);
 
-        /** \brief Learns for bounds() from the combined cost of motions that lead \e from -> \e to. */
+        /** \brief Compares the combined cost of consecutive motions from \e from to \e to with bounds(). */
         void observePath(const ompl::base::State *from, const ompl::base::State *to, ompl::base::Cost cost)
         {
             bounds_.observePath(from, to, cost);
@@ -127,37 +125,37 @@ namespace ompl_mfa::path
         /** \brief Whether \e state is within the bounds and valid. */
         bool checkState(const ompl::base::State *state);
 
-        /** \brief Whether the motion is valid; \e from is taken to be a valid state. */
+        /** \brief Whether the motion is valid; \e from is assumed to be valid. */
         bool checkMotion(const ompl::base::State *from, const ompl::base::State *to);
 
-        /** \brief Whether the states that halve the motion, and its halves, and so on, as long as they are at least
-            \e stride steps of the resolution apart, are valid: for a part of the work of checkMotion it finds out most
-            of the motions that are invalid. Both ends are taken to be valid. */
+        /** \brief Checks a motion at some of its states, in bisection order, at least \e stride steps of the resolution
+            apart. Detects most invalid motions for a fraction of the work of checkMotion. Both ends are assumed to be
+            valid. */
         bool screenMotion(const ompl::base::State *from, const ompl::base::State *to, unsigned int stride);
 
-        /** \brief Whether all \e motions are valid; the first state of each is taken to be, or to be the last of one
-            before it. None is checked after an invalid one, unless another thread has time for it. */
+        /** \brief Whether all \e motions are valid. The first state of each is assumed to be valid, or is the last
+            state of an earlier one. No motion is checked after an invalid one, except by another thread that is
+            free. */
         bool checkMotions(std::initializer_list<Motion> motions);
 
-        /** \brief Whether all \e motions are valid, and remain so at twice the resolution: a path that slips between
-           the states of one resolution is worth little to what interpolates it otherwise, such as OMPL's path
-           simplifier. */
+        /** \brief Whether all \e motions are valid at twice the resolution, too. A path that passes between obstacles
+           only at one resolution may become invalid when interpolated differently, as by OMPL's path simplifier. */
         bool checkStrictly(std::initializer_list<Motion> motions);
 
-        /** \brief What checkStrictly checks beyond checkMotions: the states halfway between those that it looks at. */
+        /** \brief The additional checks of checkStrictly: the states halfway between those of checkMotions. */
         bool checkBetween(std::initializer_list<Motion> motions);
 
-        /** \brief Whether all motions of \e path are valid; its first state is taken to be. */
+        /** \brief Whether all motions of \e path are valid; its first state is assumed to be. */
         bool checkPath(const Waypoints &path);
 
-        /** \brief The brightness of \e path, whose first state is taken to be valid: its cost, and as violation the
-            length of its invalid part in the unit of the space's distance.
+        /** \brief The brightness of \e path, whose first state is assumed to be valid: its cost and, as violation,
+            the length of its invalid segments in the unit of the space's distance.
 
-            With a \e rival, an infinitely dim answer is given as soon as the path is known not to be brighter; a path
-            that cannot win on cost is never checked for collision.
+            With a \e rival, the result is infinitely dim as soon as the path is known not to be brighter; a path
+            that is worse in cost is never checked for collision.
 
-            With a \e stride above 1, one state in so many is asked first; where one of these is invalid they alone make
-            up the violation. Only a path of which every state is valid is ever feasible. */
+            With a \e stride above 1, one state in \e stride is checked first, and if any of these is invalid, they
+            alone determine the violation. A path is feasible only if all its states are valid. */
         Brightness evaluate(const Waypoints &path, const Brightness *rival, unsigned int stride = 1);
 
         /** \brief The same for a path whose \e cost is known. */
@@ -166,59 +164,59 @@ namespace ompl_mfa::path
 
         bool isBrighter(const Brightness &a, const Brightness &b) const;
 
-        /** \brief \e factor (at least 1) times \e cost where that is a worse cost and finite, else \e cost: for
-            objectives to be maximised and for costs that are not positive no factor is a slack. */
+        /** \brief \e factor (at least 1) times \e cost if that is finite and worse than \e cost, else \e cost: a factor
+            gives no slack if the objective is maximised or costs are not positive. */
         double withSlack(double cost, double factor) const;
 
-        /** \brief Called by evaluate for the first invalid motion of a path, with the path, the number of that motion
-            and the last valid state on it. The motions before it are valid. Set it only while it is needed: it makes
-            evaluate check the motions in order. */
+        /** \brief Called by evaluate for the first invalid motion of a path, with the path, the index of the motion and
+            the last valid state on it. The motions before it are valid. Set it only while needed, as evaluate then
+            checks the motions in order. */
         using PartialPathEvent =
             std::function<void(const Waypoints &path, std::size_t motion, const ompl::base::State *lastValid)>;
         void setPartialPathEvent(PartialPathEvent event);
 
-        /** \brief The work of checking a motion that turned out \e valid or not, in state checks. */
+        /** \brief The work of checking a motion, given the result \e valid, in state checks. */
         static std::uint64_t motionWork(const ompl::base::SpaceInformation &si, const Motion &motion, bool valid);
 
-        /** \brief Work done so far, in state checks: states whose validity was asked for, counted by the resolution of
-            each motion, and what else was added. Unlike time it is the same in every run. */
+        /** \brief Work so far, in state checks: checked states, counted by the resolution of each motion, and other
+            work that was added. Unlike time it is the same in every run. */
         std::uint64_t work() const
         {
             return checks_ + bookkeeping_;
         }
 
-        /** \brief The part of work() that was states whose validity was asked for. */
+        /** \brief State checks in work(). */
         std::uint64_t checks() const
         {
             return checks_;
         }
 
-        /** \brief The part of work() that was none: distances, queues, neighbours. */
+        /** \brief Work in work() other than state checks: distances, queues, neighbours. */
         std::uint64_t bookkeeping() const
         {
             return bookkeeping_;
         }
 
-        /** \brief Counts work that is not a state check, as so many of those that take 0.1 microseconds. */
+        /** \brief Adds work other than state checks, in units of 0.1 microseconds. */
         void addWork(std::uint64_t work)
         {
             bookkeeping_ += work;
         }
 
-        /** \brief Distances that were computed for costs of motions and, as others estimated them, for neighbours. They
-            are no part of work(). */
+        /** \brief Number of distances computed for motion costs and, as estimated by callers, in nearest-neighbour
+            queries. Not included in work(). */
         std::uint64_t distances() const
         {
             return distances_;
         }
 
-        /** \brief Counts distances that were computed elsewhere. */
+        /** \brief Adds distances computed elsewhere. */
         void addDistances(std::uint64_t count)
         {
             distances_ += count;
         }
 
-        /** \brief Counts state checks that were made by others. */
+        /** \brief Adds state checks made elsewhere. */
         void addChecks(std::uint64_t states)
         {
             checks_ += states;
@@ -245,14 +243,14 @@ namespace ompl_mfa::path
         StopCondition stop_;
         PartialPathEvent partialPath_;
         std::unique_ptr<ParallelChecks> parallel_;  ///< null with one thread
-        std::vector<Motion> motions_;               ///< that are to be checked one after the other
-        std::vector<unsigned char> valid_;          ///< of motions_, as many as were checked, maybe ahead
+        std::vector<Motion> motions_;               ///< to be checked in this order
+        std::vector<unsigned char> valid_;          ///< validity of motions_, as far as checked, possibly ahead
         std::size_t checked_{0};
         ompl::base::State *scratch_;
         std::uint64_t checks_{0};
         std::uint64_t bookkeeping_{0};
         std::uint64_t distances_{0};
-        std::uint64_t costs_{0};  ///< of motions, computed without a look at the stop condition
+        std::uint64_t costs_{0};  ///< motion costs computed since the stop condition was evaluated
         std::size_t lastInvalid_{0};
         bool interrupted_{false};
     };

@@ -82,7 +82,7 @@ namespace ompl_mfa::path
             q->w = unit.w();
         }
 
-        /* The unit quaternion exp(v), v being half a rotation vector. */
+        /* The unit quaternion exp(v), where v is half a rotation vector. */
         Eigen::Quaterniond exponential(const Eigen::Vector3d &v)
         {
             const double angle = v.norm();
@@ -105,7 +105,7 @@ namespace ompl_mfa::path
             return q.vec() * (std::atan2(sine, q.w()) / sine);
         }
 
-        /* StateSpace::getName is not virtual, and a wrapper (a constrained space) keeps its name elsewhere. */
+        /* StateSpace::getName is not virtual, and a wrapper (such as a constrained space) stores its name elsewhere. */
         std::string nameOf(const ob::StateSpacePtr &space)
         {
             const auto *wrapper = dynamic_cast<const ob::WrapperStateSpace *>(space.get());
@@ -281,7 +281,7 @@ namespace ompl_mfa::path
                     for (Eigen::Index i = 0; i < leaf.dimension; ++i)
                     {
                         const auto k = static_cast<std::size_t>(i);
-                        // the rounding of the shortened step must not leave the bounds either
+                        // rounding of the shortened step must not leave the bounds either
                         b[i] = std::clamp(a[i] + shortening * delta[leaf.offset + i] / leaf.scale, leaf.bounds->low[k],
                                           leaf.bounds->high[k]);
                     }

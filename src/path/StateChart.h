@@ -55,11 +55,10 @@ namespace ompl_mfa::path
 {
     /** \brief Local coordinates of a state space: a vector of R^d for the step from one state to another, and back.
 
-        The space is taken apart into its leaves: R^n, SO(2) and SO(3), through any nesting of compounds (SE(2), SE(3),
-        Dubins and Reeds-Shepp are such compounds). Coordinates come in the order of the leaves, all positions (R^n)
-        before all rotations, and are measured in the unit of the space's distance: each leaf is scaled by the product
-        of its subspace weights (1 where that is 0). For a single leaf of weight 1 the norm of a coordinate vector is
-        the distance of OMPL.
+        The space is decomposed into its leaves R^n, SO(2) and SO(3), in any nesting of compounds (SE(2), SE(3), Dubins
+        and Reeds-Shepp are such compounds). Coordinates are in the order of the leaves, all positions (R^n) before all
+        rotations, and in the unit of the space's distance: each leaf is scaled by the product of its subspace weights
+        (1 if that is 0). For a single leaf of weight 1 the norm of a coordinate vector is OMPL's distance.
 
         - R^n: the difference of the values.
         - SO(2): the difference of the angles, in [-pi, pi).
@@ -76,8 +75,8 @@ namespace ompl_mfa::path
             return space_;
         }
 
-        /** \brief Which motions of the space OMPL can compute. The three below are its answers, for any pair of states.
-         */
+        /** \brief Knows which motions of the space OMPL can compute. The three functions below forward to it and accept
+            any pair of states. */
         const DubinsGuard &guard() const
         {
             return guard_;
@@ -105,7 +104,7 @@ namespace ompl_mfa::path
             return positions_ + rotations_;
         }
 
-        /** \brief The number of coordinates that are positions; they come first. */
+        /** \brief The number of position coordinates, which come first. */
         Eigen::Index positionDimension() const
         {
             return positions_;
@@ -122,14 +121,14 @@ namespace ompl_mfa::path
             return leaves_.size();
         }
 
-        /** \brief First coordinate and number of coordinates of leaf \e i. */
+        /** \brief Index of the first coordinate and number of coordinates of leaf \e i. */
         std::pair<Eigen::Index, Eigen::Index> leafRange(std::size_t i) const
         {
             return {leaves_[i].offset, leaves_[i].dimension};
         }
 
-        /** \brief The bounds of R^n as they are now, which all of this keeps to: low and high of each leaf in turn, in
-            the space's own unit. */
+        /** \brief The present bounds of R^n, which all functions respect: low and high of each leaf in turn, in the
+            space's own unit. */
         std::vector<double> bounds() const;
 
         /** \brief Largest absolute value of each rotation coordinate, in the order of the rotations. */
@@ -142,28 +141,28 @@ namespace ompl_mfa::path
         void difference(const ompl::base::State *base, const ompl::base::State *state,
                         Eigen::Ref<Eigen::VectorXd> delta) const;
 
-        /** \brief The state at coordinates \e delta (d) from \e base, within the bounds of the space.
+        /** \brief Computes the state at coordinates \e delta (d) from \e base, clipped to the bounds of the space.
 
-            A displacement that leaves the bounds of R^n is shortened, all position coordinates by one factor, so that
-            it keeps its direction. \e state may be \e base itself. */
+            A displacement that leaves the bounds of R^n is shortened by one factor for all position coordinates, so
+            that it keeps its direction. \e state may be \e base itself. */
         void displace(const ompl::base::State *base, const Eigen::Ref<const Eigen::VectorXd> &delta,
                       ompl::base::State *state) const;
 
-        /** \brief How many times the step \e direction (at least positionDimension() coordinates) can be made from
-            \e base before it leaves the bounds; infinity where there are none. */
+        /** \brief The factor by which the step \e direction (at least positionDimension() coordinates) can be scaled
+            before it leaves the bounds; infinity if there are none. */
         double reach(const ompl::base::State *base, const Eigen::Ref<const Eigen::VectorXd> &direction) const;
 
-        /** \brief The position part of \e state (positionDimension()), scaled by the weights. */
+        /** \brief The positions of \e state (positionDimension()), scaled by the weights. */
         void positions(const ompl::base::State *state, Eigen::Ref<Eigen::VectorXd> values) const;
 
-        /** \brief Sets the position part of \e state from scaled \e values; false if they are out of bounds (the
-            state is then unspecified). */
+        /** \brief Sets the positions of \e state from scaled \e values; false if they are out of bounds (the state is
+            then unspecified). */
         bool setPositions(const Eigen::Ref<const Eigen::VectorXd> &values, ompl::base::State *state) const;
 
         /** \brief Draws \e state uniformly from the space. */
         void sampleUniform(ompl::RNG &rng, ompl::base::State *state) const;
 
-        /** \brief Draws the rotations of \e state uniformly and leaves its positions. */
+        /** \brief Draws the rotations of \e state uniformly and keeps its positions. */
         void sampleRotations(ompl::RNG &rng, ompl::base::State *state) const;
 
     private:
@@ -181,7 +180,7 @@ namespace ompl_mfa::path
             Eigen::Index dimension;
             Eigen::Index offset;
             double scale;
-            const ompl::base::RealVectorBounds *bounds;  ///< of R^n, as they are now, or null
+            const ompl::base::RealVectorBounds *bounds;  ///< present bounds of R^n, or null
         };
 
         void addLeaves(const ompl::base::StateSpacePtr &space, std::vector<std::size_t> &chain, double scale);

@@ -50,19 +50,19 @@ namespace ompl::geometric
 
 namespace ompl_mfa::path
 {
-    /** \brief A sequence of states of one space that owns its states and reuses their memory when it changes length.
+    /** \brief A sequence of states of one space, which it owns.
 
-        Unlike ompl::geometric::PathGeometric it never frees a state before it is destroyed, so that filling it again
-        and again in a search allocates nothing. */
+        Unlike ompl::geometric::PathGeometric it frees no state before it is destroyed, so that refilling it in a search
+        does not allocate. */
     class Waypoints
     {
     public:
         explicit Waypoints(ompl::base::StateSpacePtr space);
         Waypoints(const Waypoints &other);
         Waypoints(Waypoints &&other) noexcept;
-        /** \brief Copies the states of \e other, in its space. */
+        /** \brief Copies the states of \e other and uses its space. */
         Waypoints &operator=(const Waypoints &other);
-        /** \brief Takes the states of \e other and its space; \e other is left with those that were here. */
+        /** \brief Swaps states and spaces with \e other. */
         Waypoints &operator=(Waypoints &&other) noexcept;
         ~Waypoints();
 
@@ -101,13 +101,14 @@ namespace ompl_mfa::path
             return space_;
         }
 
-        /** \brief The sum of the distances from state to state; OMPL can compute the motions (see DubinsGuard). */
+        /** \brief The sum of the distances from state to state; OMPL must be able to compute the motions (see
+            DubinsGuard). */
         double length() const;
 
-        /** \brief The states as OMPL's callbacks take them; valid until the next change. */
+        /** \brief The states in the form of OMPL's callbacks; valid until the next change. */
         std::vector<const ompl::base::State *> pointers() const;
 
-        /** \brief Appends copies of the states to \e path, which is of the same space. */
+        /** \brief Appends copies of the states to \e path, which must be of the same space. */
         void appendTo(ompl::geometric::PathGeometric &path) const;
 
         void clear()
@@ -115,7 +116,7 @@ namespace ompl_mfa::path
             size_ = 0;
         }
 
-        /** \brief Changes the length; states beyond the old length have unspecified values. */
+        /** \brief Changes the length; new states have unspecified values. */
         void resize(std::size_t size);
 
         /** \brief Appends a copy of \e state. */

@@ -92,7 +92,7 @@ namespace ompl_mfa::path
         }
         takeTasks(0, task, count);
         std::unique_lock<std::mutex> lock(mutex_);
-        // a worker that has not woken up by now is not waited for
+        // workers that have not woken up by now are not waited for
         task_ = nullptr;
         left_.wait(lock, [this] { return active_ == 0; });
         if (error_)

@@ -48,15 +48,15 @@
 
 namespace ompl_mfa::path
 {
-    /** \brief Threads that help the calling one with many small tasks. They sleep in between. */
+    /** \brief Threads that help the calling thread with many small tasks, and sleep in between. */
     class WorkerPool
     {
     public:
-        /** \brief One of the tasks of a run, called with the number of the thread that takes it, 0 being the caller of
-            run(), and its own number. False: no further task is needed. */
+        /** \brief A task, called with the index of the executing thread (0 for the caller of run()) and the index of
+            the task. Returns false if no further task is needed. */
         using Task = std::function<bool(std::size_t thread, std::size_t task)>;
 
-        /** \brief A pool of \e threads >= 1 threads, the calling one included. */
+        /** \brief A pool of \e threads >= 1 threads, including the calling one. */
         explicit WorkerPool(unsigned int threads);
         ~WorkerPool();
         WorkerPool(const WorkerPool &) = delete;
@@ -67,9 +67,8 @@ namespace ompl_mfa::path
             return workers_.size() + 1;
         }
 
-        /** \brief Calls \e task for 0 to \e count - 1, each once and in this order of beginning, until one of them
-            returns false. Returns whether none did, when no thread is in a task any more. The first exception that a
-            task throws is thrown here. */
+        /** \brief Calls \e task for 0 to \e count - 1, started in this order, until a call returns false, and waits for
+            the calls that have begun. Returns whether none returned false. Rethrows the first exception of a task. */
         bool run(std::size_t count, const Task &task);
 
     private:
@@ -80,10 +79,10 @@ namespace ompl_mfa::path
         std::mutex mutex_;
         std::condition_variable begun_;
         std::condition_variable left_;
-        const Task *task_{nullptr};  ///< of the run that workers may join
+        const Task *task_{nullptr};  ///< task of the run that workers may join
         std::size_t count_{0};
         std::size_t runs_{0};
-        std::size_t active_{0};  ///< workers in the run
+        std::size_t active_{0};  ///< number of workers in the run
         bool ending_{false};
         std::exception_ptr error_;
         std::atomic<std::size_t> next_{0};

@@ -60,7 +60,7 @@ namespace ompl_mfa::planner
             return text;
         }
 
-        /* OMPL's user interfaces tell real numbers from whole ones by the point in a suggested range. */
+        /* OMPL's user interfaces distinguish real from whole numbers by the decimal point in a suggested range. */
         template <typename T>
         std::string suggested(T value)
         {
@@ -86,7 +86,7 @@ namespace ompl_mfa::planner
         char *const end = text.data() + text.size();
         if constexpr (std::is_floating_point_v<T>)
         {
-            // people write 100000, where the shortest text is 1e+05
+            // 100000 is more readable than the shortest text, 1e+05
             const double size = std::abs(value);
             if (value == 0.0 || (size >= 1e-4 && size < 1e15))
             {

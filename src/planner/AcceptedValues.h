@@ -46,13 +46,13 @@
 namespace ompl_mfa::planner
 {
     /** \brief The numbers that a parameter of type \e T (unsigned int or double) accepts, and their text: a closed
-        interval, and at most one number apart from it. Text is the same in every locale. */
+        interval, and optionally one number below it. The text is independent of the locale. */
     template <typename T>
     class AcceptedValues
     {
     public:
         /** \brief The numbers \e lowest to \e highest, both finite. \e step is a suggestion for user interfaces. \e
-            apart is accepted too, a number below \e lowest. */
+            apart, a number below \e lowest, is accepted too. */
         AcceptedValues(T lowest, T step, T highest, std::optional<T> apart = std::nullopt)
           : lowest_(lowest)
           , step_(step)
@@ -67,16 +67,16 @@ namespace ompl_mfa::planner
         }
 
         /** \brief Reads a decimal number, with or without a sign + and, for a double, an exponent. Returns false and
-            leaves \e value as it is if \e text is anything else. Does not ask whether the number is accepted. */
+            leaves \e value unchanged for any other \e text. Does not check whether the number is accepted. */
         static bool read(const std::string &text, T &value);
 
-        /** \brief A short text that read() turns into \e value again, without an exponent where people use none. */
+        /** \brief A short text that read() converts back to \e value, without an exponent for numbers of usual size. */
         static std::string write(T value);
 
-        /** \brief As OMPL suggests ranges: "lowest:step:highest". */
+        /** \brief The range in OMPL's format for suggestions: "lowest:step:highest". */
         std::string suggestion() const;
 
-        /** \brief For people: "0, 4 to 10000". */
+        /** \brief A readable description: "0, 4 to 10000". */
         std::string description() const;
 
     private:
@@ -103,8 +103,8 @@ namespace ompl_mfa::planner
         std::vector<std::string> words_;
     };
 
-    /** \brief A switch: read as 0, 1, f, t, false or true in upper or lower case, written as 0 or 1. OMPL reads all
-        other texts, "no" among them, as true; here they are refused. */
+    /** \brief A boolean: read as 0, 1, f, t, false or true in upper or lower case, written as 0 or 1. All other texts
+        are refused, while OMPL reads them, even "no", as true. */
     template <>
     class AcceptedValues<bool>
     {

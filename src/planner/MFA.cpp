@@ -116,7 +116,7 @@ namespace ompl_mfa
     void MFA::setup()
     {
         Planner::setup();
-        setup_ = false;  // where the space is refused, it is refused each time
+        setup_ = false;  // if the space is refused, each further call has to refuse it
         implementation_->chart = std::make_shared<path::StateChart>(si_->getStateSpace());
         requireFiniteExtent(*this);
         setup_ = true;
@@ -138,7 +138,7 @@ namespace ompl_mfa
 
     void MFA::clearQuery()
     {
-        // swarm, trees and roadmap belong to one query: nothing of them serves another
+        // swarm, trees and roadmap belong to one query and cannot be reused for another
         clear();
         pis_.restart();
     }
@@ -148,7 +148,7 @@ namespace ompl_mfa
         checkValidity();
         Implementation &search = *implementation_;
         const planner::SearchLock::Search lock(search.lock);
-        // wherever the condition is evaluated, what other threads may ask for is complete
+        // whenever the condition is evaluated, the data that other threads may read is complete
         const ob::PlannerTerminationCondition watched(
             [&]
             {

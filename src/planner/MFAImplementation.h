@@ -51,7 +51,7 @@
 namespace ompl_mfa
 {
     /** \brief What MFA adds to the engine: the parameters for the next query, the lock between solve() and readers, and
-        what was published. */
+        the published solutions. */
     class MFA::Implementation
     {
     public:
@@ -60,13 +60,13 @@ namespace ompl_mfa
         template <typename T>
         void set(const MFA &planner, T engine::SearchSettings::*member, const T &value);
 
-        engine::SearchSettings settings;  ///< as they were set, for the next query
+        engine::SearchSettings settings;  ///< parameters as set, for the next query
         ompl::base::PlannerAllocator guidePlanner;
         path::StateChartPtr chart;
         engine::SearchProgress progress;
-        std::unique_ptr<engine::Engine> engine;  ///< of the query, from the first solve() on
+        std::unique_ptr<engine::Engine> engine;  ///< of the present query, made by its first solve()
         planner::SolutionPublisher publisher;
-        ompl::RNG rng;  ///< draws the seeds of runs that have none
+        ompl::RNG rng;  ///< draws seeds for runs without one
         mutable planner::SearchLock lock;
     };
 }  // namespace ompl_mfa

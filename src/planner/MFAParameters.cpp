@@ -60,7 +60,7 @@ namespace ompl_mfa::planner
                    &engine::SearchSettings::fireflies,
                    {},
                    "whether swarms fly; without them, and without recombination, the guides and tightening remain"},
-            // one range for both variants: trial vectors are made from four fireflies
+            // one range for both variants; trial vectors need four fireflies
             Whole{"population_size", &engine::SearchSettings::populationSize, Numbers(4, 1, 10000, 0),
                   "size of the swarm; 0: 100 in paper mode, else 20"},
             Whole{"slices", &engine::SearchSettings::slices, Numbers(1, 1, 1000),

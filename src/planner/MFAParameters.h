@@ -46,7 +46,8 @@
 
 namespace ompl_mfa::planner
 {
-    /** \brief A parameter of MFA: its name in params(), where its value is kept, what it accepts and what it means. */
+    /** \brief A parameter of MFA: its name in params(), its member of SearchSettings, its accepted values and its
+        meaning. */
     template <typename T>
     struct MFAParameter
     {
@@ -59,8 +60,8 @@ namespace ompl_mfa::planner
     using AnyMFAParameter =
         std::variant<MFAParameter<std::string>, MFAParameter<unsigned int>, MFAParameter<double>, MFAParameter<bool>>;
 
-    /** \brief All parameters, in the order of the documentation. Each value is accepted or refused by itself, so that
-        the order in which parameters are set does not matter. */
+    /** \brief All parameters, in the order of the documentation. Values are checked independently of each other, so the
+        order in which parameters are set does not matter. */
     const std::vector<AnyMFAParameter> &mfaParameters();
 }  // namespace ompl_mfa::planner
 

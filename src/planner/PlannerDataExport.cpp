@@ -46,7 +46,7 @@ namespace ompl_mfa::planner
     {
         using States = std::vector<const ob::State *>;
 
-        /* The first of the ends that equals the state, which becomes one of them if there is none. */
+        /* The first of the ends that is equal to the state, which is added to them if there is none. */
         const ob::State *shared(const ob::StateSpace &space, States &ends, const ob::State *state)
         {
             for (const ob::State *end : ends)

@@ -44,8 +44,8 @@
 namespace ompl_mfa::planner
 {
     /** \brief Appends \e graph to \e data, with one vertex for all starts that are equal and one for all goals that
-       are. All states of \e data are copies of its own afterwards: the search goes on, and what it has now may be gone
-       when the caller looks. */
+       are. Afterwards \e data owns copies of all its states, as the search may free the originals before the caller
+       reads them. */
     void exportTo(ompl::base::PlannerData &data, const engine::SearchGraph &graph);
 }  // namespace ompl_mfa::planner
 

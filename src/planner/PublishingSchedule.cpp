@@ -42,10 +42,10 @@ namespace ompl_mfa::planner
 {
     namespace
     {
-        /* An improvement by this part of the cost is published at once. */
+        /* An improvement by this fraction of the cost is published immediately. */
         constexpr double NOTABLE = 0.01;
         constexpr unsigned int MAX_NOTABLES = 1000;
-        /* Growth of the work after which a smaller improvement is published. */
+        /* Factor of growth of the work after which a smaller improvement is published. */
         constexpr double GROWTH = 1.05;
     }  // namespace
 
@@ -56,7 +56,7 @@ namespace ompl_mfa::planner
 
     bool PublishingSchedule::notable(double cost) const
     {
-        // a finite cost after an infinite one, and the other way round for costs without a lower end
+        // from an infinite cost to a finite one, or to minus infinity
         if (!std::isfinite(cost_) || !std::isfinite(cost))
         {
             return true;

@@ -41,19 +41,19 @@
 
 namespace ompl_mfa::planner
 {
-    /** \brief Decides when a better path is handed to the problem definition, so that their number stays bounded
-        however long the search refines its path.
+    /** \brief Decides when a better path is added to the problem definition, so that the number of solutions stays
+        bounded in long searches.
 
-        The first path is due at once, and so is each that is better than the last published one by 1 % of its cost
-        (of these the first 1000 of a query). Smaller improvements are due once the search has done 5 % more work than
-        when it last published: n units of work bring log(n) / log(1.05) of them at the most. */
+        The first path is due immediately, and so is each path that is better than the last published one by 1 % of
+        its cost (at most 1000 of these per query). Smaller improvements are due once the work has grown by 5 % since
+        the last publication: at most log(n) / log(1.05) of them in n units of work. */
     class PublishingSchedule
     {
     public:
-        /** \brief Forgets what was published. */
+        /** \brief Resets the schedule for a new query. */
         void reset();
 
-        /** \brief Whether a path of cost \e cost, better than all that were published, is due after \e work units of
+        /** \brief Whether a path of cost \e cost, better than all published ones, is due after \e work units of
             work. */
         bool due(double cost, std::uint64_t work) const;
 

@@ -51,19 +51,19 @@
 
 namespace ompl_mfa::planner
 {
-    /** \brief A planner parameter that says which values it accepts. */
+    /** \brief A planner parameter that can describe its accepted values. */
     class OMPL_MFA_EXPORT SelectiveParam : public ompl::base::GenericParam
     {
     public:
         using GenericParam::GenericParam;
 
-        /** \brief The accepted values as people name them: "0, 4 to 10000". */
+        /** \brief A readable description of the accepted values: "0, 4 to 10000". */
         virtual std::string accepted() const = 0;
     };
 
-    /** \brief A planner parameter that accepts only some values. For any other setValue warns on OMPL's console with
-        the parameter, the value and what is accepted, returns false and changes nothing. Blanks around a value do not
-        count. What getValue returns, setValue accepts. */
+    /** \brief A planner parameter that accepts only some values. For any other value, setValue logs a warning with the
+        parameter, the value and the accepted values, returns false and changes nothing. Blanks around a value are
+        ignored. setValue accepts what getValue returns. */
     template <typename T>
     class RangedParam : public SelectiveParam
     {

@@ -89,7 +89,7 @@ namespace ompl_mfa::planner
 
     void SearchLock::letReadersIn()
     {
-        // departures_ may only be read by the thread that holds the mutex
+        // departures_ may only be read with the mutex held
         if (searching_ != std::this_thread::get_id())
         {
             return;

@@ -47,9 +47,9 @@ namespace ompl_mfa::planner
 {
     /** \brief Lets other threads read the state of a search between two of its steps.
 
-        The searching thread holds the lock from the beginning of a Search to its end and calls letReadersIn() wherever
-        what readers look at is complete, as often as it likes: that costs one atomic read while nobody waits. A thread
-        that makes a Reader waits for the next such call, never for the end of the search. */
+        The searching thread holds the lock from the beginning of a Search to its end and calls letReadersIn()
+        whenever the data for readers is complete. If no reader waits, a call costs one atomic read. A thread that
+        makes a Reader waits for the next such call, not for the end of the search. */
     class SearchLock
     {
     public:
@@ -57,7 +57,7 @@ namespace ompl_mfa::planner
         SearchLock(const SearchLock &) = delete;
         SearchLock &operator=(const SearchLock &) = delete;
 
-        /** \brief The lock as the searching thread holds it. */
+        /** \brief Holds the lock for the searching thread. */
         class Search
         {
         public:
@@ -70,8 +70,8 @@ namespace ompl_mfa::planner
             SearchLock &lock_;
         };
 
-        /** \brief The lock as a thread holds it that reads. The searching thread itself, in code of the user's that
-            the search calls, reads without waiting. */
+        /** \brief Holds the lock for a reading thread. Does not wait in the searching thread itself, where callbacks of
+            the user may read. */
         class Reader
         {
         public:
@@ -85,8 +85,8 @@ namespace ompl_mfa::planner
             bool waits_;
         };
 
-        /** \brief Releases the lock as long as it exists, for a call of code that may wait for a reader, or be one.
-            Made by the searching thread only. */
+        /** \brief Releases the lock while it exists, for a callback that may read or wait for a reader. For the
+            searching thread only. */
         class Release
         {
         public:
@@ -99,15 +99,15 @@ namespace ompl_mfa::planner
             SearchLock &lock_;
         };
 
-        /** \brief Waits until all threads that wait now have read. Does nothing in any thread but the searching one. */
+        /** \brief Waits until all waiting readers have read. Does nothing in threads other than the searching one. */
         void letReadersIn();
 
     private:
         std::mutex mutex_;
         std::condition_variable served_;
-        std::atomic<std::uint64_t> arrivals_{0};                     ///< readers that ever came
-        std::uint64_t departures_{0};                                ///< readers that have read; guarded by mutex_
-        std::atomic<std::thread::id> searching_{std::thread::id()};  ///< that holds the lock now
+        std::atomic<std::uint64_t> arrivals_{0};  ///< number of readers that arrived so far
+        std::uint64_t departures_{0};             ///< number of readers that have finished; guarded by mutex_
+        std::atomic<std::thread::id> searching_{std::thread::id()};  ///< thread that holds the lock
     };
 }  // namespace ompl_mfa::planner
 

@@ -93,7 +93,7 @@ namespace ompl_mfa::planner
         {
             return;
         }
-        // the callback may wait for a thread that asks for planner data
+        // the callback may wait for a thread that calls getPlannerData
         const SearchLock::Release release(lock);
         callback(&planner, incumbent.path().pointers(), cost);
     }

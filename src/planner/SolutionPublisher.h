@@ -48,19 +48,20 @@
 
 namespace ompl_mfa::planner
 {
-    /** \brief Hands the paths of a search to a problem definition. */
+    /** \brief Adds the paths of a search to a problem definition. */
     class SolutionPublisher
     {
     public:
-        /** \brief To be called at the beginning of each solve(): what follows goes to \e pdef, which may not have the
-            path that was published last. */
+        /** \brief To be called at the beginning of each solve(): further paths are added to \e pdef, which may not
+            contain the path published last. */
         void begin(const ompl::base::ProblemDefinitionPtr &pdef);
 
-        /** \brief Publishes the best path of \e context if there is one that was not published and that is due. The
-            intermediate solution callback of \e planner's problem definition is called with \e lock released. */
+        /** \brief Publishes the best path of \e context if it is new and due. \e lock is released during the
+            intermediate solution callback of \e planner's problem definition. */
         void publishIfDue(const engine::SearchContext &context, const ompl::base::Planner &planner, SearchLock &lock);
 
-        /** \brief Publishes the best path, or else the partial one, at the end of a solve(); returns its status. */
+        /** \brief To be called at the end of a solve(): publishes the best path, or else the partial one, and returns
+            the status. */
         ompl::base::PlannerStatus finish(const engine::SearchContext &context, const ompl::base::Planner &planner,
                                          SearchLock &lock);
 
@@ -71,7 +72,7 @@ namespace ompl_mfa::planner
         ompl::base::ProblemDefinitionPtr pdef_;
         PublishingSchedule schedule_;
         ompl::base::PathPtr published_;
-        std::uint64_t improvement_{0};  ///< number of the improvement that was published last
+        std::uint64_t improvement_{0};  ///< index of the last published improvement
     };
 }  // namespace ompl_mfa::planner
 

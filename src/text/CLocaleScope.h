@@ -41,7 +41,7 @@
 
 namespace ompl_mfa::text
 {
-    /** \brief For as long as it lives, the C library of this thread works in the locale "C".
+    /** \brief While it exists, the C library uses the locale "C" in this thread.
 
         For calls into libraries that convert numbers with strtod() and the like. Other threads keep their locale. */
     class CLocaleScope

@@ -80,7 +80,7 @@ namespace ompl_mfa::text
         {
             return nearest;
         }
-        // farther than this, the guess is rather a distraction
+        // a more distant guess would only distract
         std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
         for (const auto &candidate : known)
         {

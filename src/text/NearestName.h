@@ -45,14 +45,14 @@
 namespace ompl_mfa::text
 {
     /** \brief The shortest entry of \e known that begins with \e name, or else the one with the least edit distance;
-        empty where none is near: within a third of the length of \e name, and at least within one edit. */
+        empty if none is near, that is, within max(1, length of \e name / 3) edits. */
     OMPL_MFA_EXPORT std::string nearestName(const std::string &name, const std::vector<std::string> &known);
 
-    /** \brief What to say behind a name that is not one of \e known: `; did you mean 'sinc'?` where one is near. All of
-        \e known follow, as `accepted: ackley, sinc`, where they are few or none is near. */
+    /** \brief A suggestion to append after a name that is not one of \e known: `; did you mean 'sinc'?` if one is near.
+        If \e known is short or none is near, all of it follows as `accepted: ackley, sinc`. */
     OMPL_MFA_EXPORT std::string suggestion(const std::string &name, const std::vector<std::string> &known);
 
-    /** \brief The one line for a name that does not exist: `unknown function 'sync'` and its suggestion(). */
+    /** \brief A one-line message for an unknown name: `unknown function 'sync'` followed by its suggestion(). */
     OMPL_MFA_EXPORT std::string describeUnknown(const std::string &kind, const std::string &name,
                                                 const std::vector<std::string> &accepted);
 

@@ -68,7 +68,7 @@ namespace ompl_mfa::text
         return true;
     }
 
-    /** \brief The shortest text that readNumber() takes for the same number, in any locale. */
+    /** \brief The shortest text that readNumber() converts to the same number, independent of the locale. */
     inline std::string numberText(double value)
     {
         std::array<char, 32> text;
@@ -95,7 +95,7 @@ namespace ompl_mfa::text
         return {text.data(), end.ptr};
     }
 
-    /** \brief For as long as it lives, a stream writes numbers as C++ itself does: with a point and no digit groups. */
+    /** \brief While it exists, a stream writes numbers as in the classic locale: with a point and no digit groups. */
     class PlainNumbers
     {
     public:

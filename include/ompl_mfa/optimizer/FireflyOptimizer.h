@@ -54,11 +54,11 @@ namespace ompl_mfa
     /** \brief The firefly algorithm (FA) and the Modified Firefly Algorithm (MFA) over a box in R^d.
 
         A population of N fireflies, each a point of the box, is improved generation by generation. In a generation
-        every firefly but the brightest makes one move toward each brighter firefly in turn, from dim to bright, and is
-        then evaluated once; brighter fireflies attract from where they were when the generation began. MFA then
-        offers every firefly five trial vectors, each of which replaces it if brighter, and shrinks the random step and
-        the attraction over an epoch of \e generations generations. A coordinate that leaves the box is set to the
-        nearest bound. The best point ever evaluated is kept apart from the population.
+        every firefly but the brightest makes one move toward each brighter firefly in turn, from dim to bright, and
+        is then evaluated once; fireflies attract from their positions at the beginning of the generation. MFA then
+        offers every firefly five trial vectors, each of which replaces it if brighter, and shrinks the random step
+        and the attraction over an epoch of \e generations generations. A coordinate that leaves the box is set to
+        the nearest bound. The best point ever evaluated is stored separately from the population.
 
         The equation numbers are those of Improved Path Planning for Mobile Robot Based on Firefly Algorithm;
         docs/algorithm.md lists how each is read. */
@@ -67,7 +67,7 @@ namespace ompl_mfa
     public:
         enum class Variant
         {
-            FA,  ///< eqs. (1)-(5); alpha and beta0 constant, at most one evaluation a firefly and generation
+            FA,  ///< eqs. (1)-(5); alpha and beta0 constant, at most one evaluation per firefly and generation
             MFA  ///< adds the trial vectors of eqs. (6)-(12) and the schedules of eqs. (13)-(16)
         };
 
@@ -90,7 +90,8 @@ namespace ompl_mfa
         /** \brief The number of trial vectors of eqs. (8) to (12), in that order. */
         static constexpr unsigned int TRIAL_VECTORS = 5;
 
-        /** \brief Operations without an evaluation after which step() asks its stop condition: some 50 microseconds. */
+        /** \brief Number of operations without an evaluation after which step() evaluates its stop condition: about 50
+            microseconds. */
         static constexpr std::uint64_t OPERATIONS_BETWEEN_STOPS = 4096;
 
         struct Settings
@@ -100,21 +101,21 @@ namespace ompl_mfa
             /** \brief N: at least 1, for MFA at least 4. */
             unsigned int populationSize{100};
 
-            /** \brief Mmax: the generations of one epoch, over which alpha and beta0 shrink; at least 1. */
+            /** \brief Mmax: the number of generations in an epoch, over which alpha and beta0 shrink; at least 1. */
             unsigned int generations{50};
 
-            /** \brief Light absorption, at least 0. It acts on the distance of two fireflies with every coordinate
-                measured in tenths of its range: the same on every box, and the plain distance on [-5, 5]^2, where the
-                paper has its 0.5. */
+            /** \brief Light absorption coefficient, at least 0. It applies to the distance of two fireflies with every
+                coordinate measured in tenths of its range: the same on every box, and the plain distance on [-5, 5]^2,
+                for which the paper uses 0.5. */
             double gamma{0.5};
 
-            /** \brief The random step in parts of a coordinate's range, in [0, 1], at the beginning of an epoch. */
+            /** \brief Random step at the beginning of an epoch, in [0, 1], as a fraction of a coordinate's range. */
             double alpha{0.2};
 
-            /** \brief Attraction at distance 0, in [0, 2], at the beginning of an epoch. */
+            /** \brief Attraction at distance 0 at the beginning of an epoch, in [0, 2]. */
             double eta{1.0};
 
-            /** \brief What remains of the attraction at any distance, in [0, 2]; 0.2 in Yang's reference program. */
+            /** \brief Attraction in the limit of large distances, in [0, 2]; 0.2 in Yang's reference program. */
             double betaMin{0.0};
 
             /** \brief Unset: constant for FA, geometric for MFA. */
@@ -133,25 +134,24 @@ namespace ompl_mfa
         using StopCondition = std::function<bool()>;
 
         /** \brief N fireflies in the box [\e lower, \e upper], each d x 1 with d >= 1; a coordinate may have range 0.
-            The first step() places them, uniformly at random. The same seed gives the same run, bit for bit. Throws
+            The first step() places them uniformly at random. The same seed gives the same run, bit for bit. Throws
             std::invalid_argument for invalid settings or bounds. */
         FireflyOptimizer(const Settings &settings, const Eigen::VectorXd &lower, const Eigen::VectorXd &upper,
                          std::uint_fast64_t seed);
 
-        /** \brief Runs to the end of the current generation and returns true; the first generation is the placing and
-            the evaluation of the initial population. \e stop is asked before every evaluation, and in between before
-            more than OPERATIONS_BETWEEN_STOPS operations() have been done without asking (one more move or merge may
-            be under way: d or N of them). When it is true, step returns false, and the next call goes on from there
-            as if it had not been interrupted. Allocates nothing. */
+        /** \brief Runs to the end of the current generation and returns true; the first call places and evaluates the
+            initial population. \e stop is evaluated before every evaluation of \e objective, and otherwise at least
+            once in OPERATIONS_BETWEEN_STOPS operations() (plus those of one move or merge: d or N). When it is true,
+            step returns false, and the next call resumes as if there had been no interruption. Does not allocate. */
         bool step(ObjectiveFunction &objective, const StopCondition &stop);
 
         /** \brief Puts \e x (d x 1, clamped to the box) into the initial population, unevaluated, in place of a random
-            member. Throws std::logic_error once the first step was made or when all N members were put in. */
+            member. Throws std::logic_error after the first step, or if N points were injected already. */
         void inject(const Eigen::Ref<const Eigen::VectorXd> &x);
 
-        /** \brief To be called when isBrighter() of \e objective has come to order points otherwise than before, as
-            where a constraint has become tighter. best() is chosen again, among itself and the population; the
-            population is sorted by the new order before the next generation's moves. */
+        /** \brief To be called after the order defined by isBrighter() of \e objective has changed, for instance
+            because a constraint became tighter. best() is selected again from itself and the population; the population
+            is sorted by the new order before the next generation's moves. */
         void orderChanged(const ObjectiveFunction &objective);
 
         /** \brief Replaces the dimmest firefly by \e x (d x 1, clamped to the box) of the given brightness, which
@@ -159,8 +159,8 @@ namespace ompl_mfa
         void inject(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness &brightness,
                     const ObjectiveFunction &objective);
 
-        /** \brief alpha and beta0 start anew with the next generation; population and best stay. Happens by itself
-            after \e generations generations. */
+        /** \brief Restarts the schedules of alpha and beta0 with the next generation, keeping population and best. Also
+            happens automatically after \e generations generations. */
         void restartEpoch();
 
         const Settings &settings() const
@@ -178,8 +178,8 @@ namespace ompl_mfa
             return upper_;
         }
 
-        /** \brief d x N, one column a firefly. Before the first step() has placed them, only the columns of injected
-            points have a value. */
+        /** \brief d x N, one column per firefly. Before the first step() only the columns of injected points have
+            values. */
         const Eigen::MatrixXd &population() const
         {
             return population_;
@@ -191,22 +191,22 @@ namespace ompl_mfa
             return brightness_[i];
         }
 
-        /** \brief The columns of population(), brightest first: as they were when the current generation began its
-            moves, or its trial vectors, or, between two generations, as they are now. Empty before the fireflies are
+        /** \brief The columns of population(), brightest first: between two generations the present order, during a
+            generation that at the beginning of its moves or of its trial vectors. Empty before the fireflies are
             placed, and in no particular order before all of them are evaluated. */
         const std::vector<unsigned int> &order() const
         {
             return order_;
         }
 
-        /** \brief The first of order(); 0 where that is empty. */
+        /** \brief The first of order(); 0 if that is empty. */
         unsigned int brightestIndex() const
         {
             return order_.empty() ? 0 : order_.front();
         }
 
-        /** \brief The brightest point ever evaluated or injected with a brightness, d x 1; the centre of the box
-            before. */
+        /** \brief The brightest point ever evaluated or injected with a brightness, d x 1; before that the centre of
+            the box. */
         const Eigen::VectorXd &best() const
         {
             return best_;
@@ -229,18 +229,18 @@ namespace ompl_mfa
             return evaluations_;
         }
 
-        /** \brief Work other than evaluations: coordinates drawn, moved or made for trial vectors, and fireflies merged
-            by the sort. */
+        /** \brief Work other than evaluations: coordinates drawn, moved or computed for trial vectors, and fireflies
+            merged while sorting. */
         std::uint64_t operations() const
         {
             return operations_;
         }
 
-        /** \brief The random step of the next generation, in parts of a coordinate's range; eq. (13). After the last
-            generation of an epoch this is where the schedule ended. */
+        /** \brief The random step of the next generation as a fraction of a coordinate's range; eq. (13). After the
+            last generation of an epoch the final value of the schedule. */
         double alpha() const;
 
-        /** \brief The attraction at distance 0 of the next generation; eq. (14). */
+        /** \brief The attraction at distance 0 in the next generation; eq. (14). */
         double beta0() const;
 
     private:
@@ -271,14 +271,14 @@ namespace ompl_mfa
         /** \brief Draws n1..n4, pairwise distinct. */
         std::array<unsigned int, 4> drawDistinct();
 
-        /** \brief Sorts order_ and counts brighter_; false if interrupted, and the next call goes on. */
+        /** \brief Sorts order_ and counts brighter_; false if interrupted, then the next call resumes. */
         bool sortByBrightness(const ObjectiveFunction &objective, const StopCondition &stop);
         void countBrighter(const ObjectiveFunction &objective);
 
-        /** \brief Asks \e stop, whose next answer is due after OPERATIONS_BETWEEN_STOPS operations. */
+        /** \brief Evaluates \e stop, which is due again after OPERATIONS_BETWEEN_STOPS operations. */
         bool asked(const StopCondition &stop);
 
-        /** \brief Asks \e stop if that is due. */
+        /** \brief Evaluates \e stop if that is due. */
         bool askedIfDue(const StopCondition &stop);
 
         Brightness evaluate(ObjectiveFunction &objective, const Eigen::Ref<const Eigen::VectorXd> &x,
@@ -301,8 +301,8 @@ namespace ompl_mfa
         std::vector<Brightness> brightness_;
         std::vector<unsigned int> order_;
 
-        /** \brief What the sort has come to: runs of runLength_ (0: no sort is under way) of sorted_ are merged in
-            pairs into merged_, as far as mergedUpTo_. */
+        /** \brief State of the sort: runs of runLength_ (0: no sort in progress) of sorted_ are merged in pairs into
+            merged_, so far up to mergedUpTo_. */
         std::vector<unsigned int> sorted_;
         std::vector<unsigned int> merged_;
         std::size_t runLength_{0};
@@ -315,10 +315,10 @@ namespace ompl_mfa
         Eigen::VectorXd best_;
         Brightness bestBrightness_;
 
-        /** \brief d x N: where the fireflies go in this generation. */
+        /** \brief d x N: the new positions of the fireflies in this generation. */
         Eigen::MatrixXd moved_;
 
-        /** \brief Which fireflies have yet to be evaluated at moved_. */
+        /** \brief Which fireflies are still to be evaluated at moved_. */
         std::vector<bool> moves_;
 
         /** \brief d x 5: the trial vectors of eqs. (8)-(12) for firefly cursor_. */
@@ -328,13 +328,13 @@ namespace ompl_mfa
 
         Phase phase_{Phase::Placing};
 
-        /** \brief The rank of the firefly that moves, whether it has begun to, and how many brighter ones it has yet
-            to move toward. */
+        /** \brief The rank of the firefly that moves, whether its move has begun, and how many brighter ones it still
+            has to move toward. */
         unsigned int rank_{0};
         bool moving_{false};
         unsigned int movesLeft_{0};
 
-        /** \brief The firefly, and its trial vector, that is placed or evaluated next. */
+        /** \brief The firefly, and its trial vector, to be placed or evaluated next. */
         unsigned int cursor_{0};
         unsigned int trial_{0};
         bool trialsMade_{false};

@@ -45,16 +45,16 @@
 
 namespace ompl_mfa
 {
-    /** \brief How bright a point is, eq. (1): only the order of two brightnesses matters.
+    /** \brief The brightness of a point, eq. (1): only the order of two brightnesses matters.
 
         A point without violation is brighter than any with one. */
     struct Brightness
     {
         /** \brief By how much the constraints are violated; 0 for a feasible point, never negative or NaN. For a path:
-            the length of its invalid part, in the unit of the state space's distance. */
+            the length of its invalid segments, in the unit of the state space's distance. */
         double violation{std::numeric_limits<double>::infinity()};
 
-        /** \brief The objective value. Meaningful only for comparison through ObjectiveFunction::isBrighter. */
+        /** \brief The objective value, to be compared by ObjectiveFunction::isBrighter only. */
         double cost{std::numeric_limits<double>::infinity()};
 
         bool isFeasible() const
@@ -71,12 +71,12 @@ namespace ompl_mfa
 
         /** \brief The brightness of \e x (d x 1, within the box of the optimiser).
 
-            With a \e rival, the caller only keeps \e x if it is brighter than the rival: the evaluation may stop as
-            soon as it is known not to be, and then returns a default-constructed Brightness (infinitely dim). */
+            If a \e rival is given, the caller needs \e x only if it is brighter: as soon as it is known not to be,
+            the evaluation may stop and return a default-constructed Brightness (infinitely dim). */
         virtual Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) = 0;
 
-        /** \brief Whether \e a is strictly brighter than \e b: less violation first, then lower cost. Override to
-            order costs otherwise; the order must be a strict weak order. */
+        /** \brief Whether \e a is strictly brighter than \e b: less violation first, then lower cost. Override for
+            another order, which must be a strict weak order. */
         virtual bool isBrighter(const Brightness &a, const Brightness &b) const
         {
             if (a.violation != b.violation)

@@ -54,8 +54,8 @@ namespace ompl_mfa
         return x ^ (x >> 31U);
     }
 
-    /** \brief The seed of stream \e stream of the run with seed \e seed, and of the \e index-th of several such
-        streams. Streams of one run, and those of runs with neighbouring seeds, have nothing in common. */
+    /** \brief The seed of the \e index-th instance of stream \e stream in the run with seed \e seed. Streams of one
+        run, and of runs with neighbouring seeds, are independent. */
     inline std::uint64_t deriveSeed(std::uint64_t seed, std::uint64_t stream, std::uint64_t index = 0)
     {
         constexpr std::uint64_t GOLDEN = 0x9e3779b97f4a7c15ULL;  // 2^64 divided by the golden ratio, as in SplitMix64

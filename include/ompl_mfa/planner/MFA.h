@@ -54,14 +54,14 @@ namespace ompl_mfa
 
         A path is one point on each of a fixed number of slices across the axis from start to goal. A swarm of
         fireflies, each a path, moves through the space of these coordinates: every firefly flies to the brighter
-        ones, brighter being collision-free before colliding and then of better cost, while the random part of its
-        flight and the attraction shrink over an epoch of generations.
+        ones, where collision-free paths are brighter than colliding ones, and then those of better cost. The random
+        step and the attraction shrink over an epoch of generations.
 
-        Other parts take turns with the fireflies, by what each gains for its work: recombination splices the paths of a
-        swarm into better ones, guides (restarting trees and a growing roadmap) find the homotopy classes that slices
-        across a straight axis cannot express, and tightening refines what the others find. Once there is a path, swarms
-        fly in windows of it, where they look for other ways. With guide = none, recombination = 0 and tightening = 0
-       the planner is the algorithm of the paper. */
+        The other parts of the search take turns with the fireflies, according to each one's gain for its work:
+        recombination splices the paths of a swarm into better ones, guides (restarting trees and a growing roadmap)
+        find the homotopy classes that slices across a straight axis cannot express, and tightening refines what the
+        others find. Once there is a path, swarms fly in windows of it, where they search for other homotopy classes.
+        With guide = none, recombination = 0 and tightening = 0 the planner is the algorithm of the paper. */
     class OMPL_MFA_EXPORT MFA : public ompl::base::Planner
     {
     public:
@@ -69,23 +69,22 @@ namespace ompl_mfa
         explicit MFA(const ompl::base::SpaceInformationPtr &si);
         ~MFA() override;
 
-        /** \brief Throws ompl::Exception naming the subspace if the state space is not supported, or the space if
-            its extent is not finite. A problem definition need not exist yet. */
+        /** \brief Throws ompl::Exception if the state space is not supported, naming the subspace, or if its extent is
+            not finite. Does not need a problem definition. */
         void setup() override;
         void clear() override;
         void clearQuery() override;
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
         using ompl::base::Planner::solve;
 
-        /** \brief What the search knows to be valid: the roadmap, the trees, the valid fireflies and the best path. All
-            states that \e data then points to are copies of its own. May be called from other threads while solve()
-            runs: it waits for the check at hand. */
+        /** \brief Appends the roadmap, the trees, the valid fireflies and the best path. Afterwards \e data owns copies
+            of all its states. May be called from other threads while solve() runs; it then waits for the check in
+            progress. */
         void getPlannerData(ompl::base::PlannerData &data) const override;
 
-        /** \name Parameters. What each means and accepts stands in docs/planner.md, and params() tells. A setter throws
-           ompl::Exception naming the parameter, the value and what is accepted, if it is not; a getter returns what was
-           set last. A search keeps the parameters that were set when it began: changes take effect with the first
-           solve() after clear(), or with the next query.
+        /** \name Parameters. docs/planner.md and params() describe their meanings and accepted values. A setter throws
+           ompl::Exception with the parameter, the value and the accepted values if the value is not accepted; a getter
+           returns the value set last. Changes take effect with the first solve() after clear(), or with the next query.
             @{ */
         void setVariant(const std::string &variant);
         std::string getVariant() const;
@@ -117,26 +116,26 @@ namespace ompl_mfa
         unsigned int getThreads() const;
         /** @} */
 
-        /** \brief A planner that searches in turns with the other parts, beside the guides that the parameter \e guide
-            names: what it solves, MFA solves, and its paths are tightened as those of the others are. A null allocator
-            (the default) is none. Takes effect as the parameters do. */
+        /** \brief Adds another planner as a guide, which takes turns with the other parts and with the guides that the
+            parameter \e guide names: MFA solves what it solves, and its paths are tightened, too. A null allocator (the
+            default) removes it. Takes effect as the parameters do. */
         void setGuidePlanner(const ompl::base::PlannerAllocator &allocator);
 
         /** \brief The fireflies' paths as they are now, brightest first; empty before solve() and while a new swarm is
-            being placed. */
+            being initialised. */
         std::vector<ompl::geometric::PathGeometric> getSwarmPaths() const;
 
-        /** \brief The slices of the swarm's frame as pairs of states, a pair for each lateral coordinate: where the
-            slice ends on either side. */
+        /** \brief The slices of the swarm's frame, as pairs of states: for each lateral coordinate of a slice the two
+            ends of its range. */
         std::vector<ompl::geometric::PathGeometric> getSlicePaths() const;
 
-        /** \brief Cost of the best path so far; infinite before the first. Safe to call while solve() runs. */
+        /** \brief Cost of the best path so far; infinity before the first. Safe to call while solve() runs. */
         double bestCost() const;
 
         /** \brief Firefly generations so far. Safe to call while solve() runs. */
         std::uint64_t iterations() const;
 
-        /** \brief The share of each part in the work so far, in [0, 1], by its name: fireflies, recombination,
+        /** \brief The fraction of the search time used by each part, in [0, 1], by its name: fireflies, recombination,
             tightening, trees, roadmap, guide planner and goal search. Safe to call while solve() runs. */
         std::map<std::string, double> shares() const;
 

@@ -47,7 +47,7 @@ namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
-        /* A firefly may be this many times worse than the best path and still be worth tightening. */
+        /* A firefly is tightened if it costs at most this factor times the best path. */
         constexpr double SLACK = 1.2;
     }  // namespace
 
@@ -85,7 +85,7 @@ namespace ompl_mfa::engine::fireflies
             return;
         }
         const SearchContext &search = context();
-        // a path that tightening cannot make the best is of no use
+        // a path that tightening cannot make the best is useless
         if (swarms_->options().bounded && swarms_->window() == nullptr)
         {
             swarm->setBound(

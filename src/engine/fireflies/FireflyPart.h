@@ -44,7 +44,7 @@
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief Flies the swarms, generation after generation. */
+    /** \brief Advances the swarms generation by generation. */
     class FireflyPart : public SearchPart
     {
     public:

@@ -48,7 +48,7 @@ namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
-        /* The box of coordinates around the origin that holds the whole space. */
+        /* The coordinate box around the origin that contains the whole space. */
         Eigen::VectorXd reachAlong(const path::StateChart &chart, const ob::State *origin, double sign)
         {
             Eigen::VectorXd reach(chart.dimension());
@@ -108,7 +108,7 @@ namespace ompl_mfa::engine::fireflies
     bool GoalSearch::advance(const FireflyOptimizer::StopCondition &stop, path::Waypoints &found)
     {
         satisfying_.clear();
-        // a swarm that gathered short of the goal stays there
+        // a swarm that has converged away from the goal does not leave
         if (fireflies_.generation() >= fireflies_.settings().generations)
         {
             earlierEvaluations_ += fireflies_.evaluations();

@@ -49,23 +49,23 @@
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief Finds states that satisfy a goal which only knows distances: fireflies over the whole state space, the
-        nearer to the goal the brighter. Every valid state that satisfies the goal is collected. After an epoch the
-       swarm restarts with random fireflies. */
+    /** \brief Finds states that satisfy a goal that only measures distances, by fireflies over the whole state space
+        that are brighter the nearer they are to the goal. Every valid state that satisfies the goal is collected. After
+        an epoch the swarm restarts with random fireflies. */
     class GoalSearch : private ObjectiveFunction
     {
     public:
-        /** \brief Fireflies start around \e origin, any state of the space. */
+        /** \brief The coordinates of the fireflies are relative to \e origin, any state of the space. */
         GoalSearch(const path::StateChartPtr &chart, const ompl::base::SpaceInformationPtr &si,
                    ompl::base::GoalPtr goal, const ompl::base::State *origin, std::uint64_t seed);
         ~GoalSearch() override;
         GoalSearch(const GoalSearch &) = delete;
         GoalSearch &operator=(const GoalSearch &) = delete;
 
-        /** \brief One generation; appends at most one state to \e found and returns whether it did. */
+        /** \brief Advances by one generation; appends at most one state to \e found and returns whether it did. */
         bool advance(const FireflyOptimizer::StopCondition &stop, path::Waypoints &found);
 
-        /** \brief States that were compared with the goal so far. */
+        /** \brief Number of states that were compared with the goal. */
         std::uint64_t evaluations() const
         {
             return earlierEvaluations_ + fireflies_.evaluations();
@@ -82,7 +82,7 @@ namespace ompl_mfa::engine::fireflies
         ompl::base::State *state_;
         std::uint64_t seed_;
         std::uint64_t epoch_{0};
-        std::uint64_t earlierEvaluations_{0};  ///< of former epochs
+        std::uint64_t earlierEvaluations_{0};  ///< evaluations of earlier epochs
         FireflyOptimizer fireflies_;
     };
 }  // namespace ompl_mfa::engine::fireflies

@@ -40,7 +40,7 @@ namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
-        /* Work between two turns, for each goal state that was found. */
+        /* Work between two turns, for each goal state found so far. */
         constexpr std::uint64_t PAUSE = 400;
     }  // namespace
 
@@ -70,7 +70,7 @@ namespace ompl_mfa::engine::fireflies
         return query.goals().empty() || context().evaluator().work() >= due_ ? Readiness::Ready : Readiness::Idle;
     }
 
-    /* A generation. */
+    /* One generation, whatever the budget. */
     void GoalSearchPart::advance(std::uint64_t /*work*/, Findings &findings)
     {
         path::PathEvaluator &evaluator = context().evaluator();

@@ -44,7 +44,7 @@
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief Appends goal states where the goal cannot be sampled but tells distances. */
+    /** \brief Finds goal states for a goal that cannot be sampled but measures distances. */
     class GoalSearchPart : public SearchPart
     {
     public:
@@ -56,9 +56,9 @@ namespace ompl_mfa::engine::fireflies
         void advance(std::uint64_t work, Findings &findings) override;
 
     private:
-        std::unique_ptr<GoalSearch> search_;  ///< made when the first start is known
+        std::unique_ptr<GoalSearch> search_;  ///< made once the first start is known
         std::uint64_t found_{0};
-        std::uint64_t due_{0};  ///< work of the evaluator before the next turn
+        std::uint64_t due_{0};  ///< evaluator's work() at which the next turn is due
     };
 }  // namespace ompl_mfa::engine::fireflies
 

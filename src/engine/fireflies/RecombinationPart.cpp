@@ -42,7 +42,7 @@ namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
-        /* A splice may be this many times worse than the best path and still be worth tightening. */
+        /* A splice is tightened if it costs at most this factor times the best path. */
         constexpr double SLACK = 1.1;
     }  // namespace
 

@@ -48,7 +48,7 @@ namespace ompl_mfa::engine::fireflies
     class RecombinationPart : public SearchPart
     {
     public:
-        /** \brief As FireflyPart, whose swarms these are. */
+        /** \brief Arguments as for FireflyPart, with which it shares \e swarms. */
         RecombinationPart(const SearchContext &context, std::shared_ptr<Swarms> swarms);
 
         Share firstShare() const override;

@@ -48,7 +48,7 @@ namespace ompl_mfa::engine::fireflies
     namespace
     {
         /* An orthonormal basis (n x (n-1)) of the complement of the unit vector t, by the Householder reflection that
-           takes t to the first unit vector. */
+           maps t to the first unit vector. */
         Eigen::MatrixXd lateralBasis(const Eigen::VectorXd &t)
         {
             const Eigen::Index n = t.size();
@@ -59,9 +59,8 @@ namespace ompl_mfa::engine::fireflies
             return reflection.rightCols(n - 1);
         }
 
-        /* Turns a basis of the complement of the unit vector from into one of that of to, by the smallest rotation that
-           takes one vector to the other: the bases of neighbouring slices belong together, so that equal coordinates
-           on them make a smooth path. */
+        /* Rotates a basis of the complement of the unit vector from into one of that of to, by the smallest rotation
+           that maps from to to. With such bases on neighbouring slices, equal coordinates make a smooth path. */
         Eigen::MatrixXd turnedBasis(const Eigen::MatrixXd &basis, const Eigen::VectorXd &from,
                                     const Eigen::VectorXd &to)
         {
@@ -71,7 +70,7 @@ namespace ompl_mfa::engine::fireflies
                 return lateralBasis(to);
             }
             const Eigen::VectorXd sum = from + to;
-            // the basis has no part along from
+            // the basis has no component along from
             return basis - sum * (to.transpose() * basis) / denominator;
         }
     }  // namespace
@@ -137,7 +136,7 @@ namespace ompl_mfa::engine::fireflies
     {
         const Slice &slice = slices_[k];
         const Eigen::Index lateral = slice.basis.cols();
-        // where a position has no bounds, the length of the axis decides how far it is searched
+        // for positions without bounds, the length of the axis determines how far they are searched
         const double unbounded = 4.0 * std::max(1.0, chart_->distance(axis_.front(), axis_.back()));
         for (Eigen::Index i = 0; i < lateral; ++i)
         {

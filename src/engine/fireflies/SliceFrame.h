@@ -48,14 +48,14 @@
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief The fixed-slice parameterisation of a path: m - 1 slices across an axis from start to goal, and a path as
-        one point on each of them (section III.C of the paper, in any space that has a StateChart).
+    /** \brief The fixed-slice parameterisation of a path: m - 1 slices across an axis from start to goal, and a path
+        as one point on each of them (section III.C of the paper, in any space that has a StateChart).
 
         In R^n a slice is a hyperplane at right angles to the axis and its coordinates are the n - 1 offsets in an
-        orthonormal basis. In general a slice is given by its origin on the axis; its coordinates are the offsets of the
-        positions at right angles to the axis there (all positions of a compound taken together), followed by the
-        rotations in the tangent space of the origin's rotation. Where the axis stands still in position, all position
-        offsets are free.
+        orthonormal basis. In general a slice has its origin on the axis; its coordinates are the offsets of the
+        positions perpendicular to the axis there (for all positions of a compound together), followed by the
+        rotations in the tangent space of the origin's rotation. Where the position is constant along the axis, all
+        position offsets are free.
 
         A straight frame divides the motion from start to goal evenly; a curved one has its origins on a given path. */
     class SliceFrame
@@ -67,9 +67,9 @@ namespace ompl_mfa::engine::fireflies
                                    const ompl::base::State *goal, unsigned int segments,
                                    double reach = std::numeric_limits<double>::infinity());
 
-        /** \brief A frame along \e axis: its first and last state are start and goal, those between are the origins of
-            the slices. No coordinate exceeds \e reach (a distance). Throws std::invalid_argument with fewer than two
-            states. */
+        /** \brief A frame along \e axis: its first and last state are start and goal, the states in between are the
+            origins of the slices. No coordinate exceeds \e reach (a distance). Throws std::invalid_argument if there
+            are fewer than two states. */
         SliceFrame(path::StateChartPtr chart, path::Waypoints axis,
                    double reach = std::numeric_limits<double>::infinity());
 
@@ -79,23 +79,23 @@ namespace ompl_mfa::engine::fireflies
             return slices_.size();
         }
 
-        /** \brief d: the number of coordinates of all slices together. */
+        /** \brief d: the total number of coordinates of all slices. */
         Eigen::Index dimension() const
         {
             return lower_.size();
         }
 
-        /** \brief First coordinate and number of coordinates of slice \e k, 0 <= k < slices(). */
+        /** \brief Index of the first coordinate and number of coordinates of slice \e k, 0 <= k < slices(). */
         std::pair<Eigen::Index, Eigen::Index> sliceRange(std::size_t k) const
         {
             return {slices_[k].offset, slices_[k].dimension};
         }
 
-        /** \brief A pair of states for each lateral coordinate: where the slice ends on either side. Allocates; not for
+        /** \brief A pair of states for each lateral coordinate: the two ends of the slice. Allocates, so not for use in
             the search. */
         std::vector<path::Waypoints> sliceEnds() const;
 
-        /** \brief Smallest coordinates (d): where the bounds of the space, or the reach, end. */
+        /** \brief Smallest coordinates (d): from the bounds of the space and the reach. */
         const Eigen::VectorXd &lower() const
         {
             return lower_;
@@ -107,7 +107,7 @@ namespace ompl_mfa::engine::fireflies
             return upper_;
         }
 
-        /** \brief Start, the origins of the slices, and goal. */
+        /** \brief The states start, origins of the slices, and goal. */
         const path::Waypoints &axis() const
         {
             return axis_;
@@ -118,8 +118,8 @@ namespace ompl_mfa::engine::fireflies
             return chart_;
         }
 
-        /** \brief The state at coordinates \e x (d, of all slices) on slice \e k; always within the space's bounds.
-            \e scratch is the caller's, of any size and content: kept from call to call, it saves the allocation. */
+        /** \brief The state at coordinates \e x (d, of all slices) on slice \e k; always within the space's bounds. \e
+            scratch is a buffer of any size and content; reusing it saves allocations. */
         void toState(std::size_t k, const Eigen::Ref<const Eigen::VectorXd> &x, ompl::base::State *state,
                      Eigen::VectorXd &scratch) const;
 
@@ -128,12 +128,12 @@ namespace ompl_mfa::engine::fireflies
         void toWaypoints(const Eigen::Ref<const Eigen::VectorXd> &x, path::Waypoints &path,
                          Eigen::VectorXd &scratch) const;
 
-        /** \brief The coordinates \e x (d) of \e path (slices() + 2 states, one on each slice between start and
-            goal); what lies along the axis is lost. Inverse of toWaypoints for states on the slices. */
+        /** \brief The coordinates \e x (d) of \e path (slices() + 2 states, one on each slice between start and goal);
+            components along the axis are lost. Inverse of toWaypoints for states on the slices. */
         void toCoordinates(const path::Waypoints &path, Eigen::Ref<Eigen::VectorXd> x) const;
 
-        /** \brief Lays the slices of a straight frame across a path of any number of states: on each slice the first
-            point of \e path that comes to it. False if the path misses a slice or stands still in position. */
+        /** \brief Intersects a path of any number of states with the slices of a straight frame: for each slice the
+            first point of \e path on it. False if the path misses a slice or the axis is constant in position. */
         bool crossings(const path::Waypoints &path, path::Waypoints &onSlices) const;
 
     private:
@@ -142,7 +142,7 @@ namespace ompl_mfa::engine::fireflies
             Eigen::Index offset;
             Eigen::Index dimension;
             Eigen::MatrixXd basis;  ///< positions x lateral offsets, orthonormal columns
-            Eigen::VectorXd along;  ///< positions; direction of the axis, zero where it stands still
+            Eigen::VectorXd along;  ///< positions; unit direction of the axis, zero if it is constant in position
         };
 
         Slice makeSlice(std::size_t k, Eigen::Index offset) const;

@@ -46,13 +46,13 @@
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief Recombination: all paths of one frame put their points on the same slices, so that any point of one slice
-        may be joined to any of the next. N candidates on each of m - 1 slices make a layered graph of N^(m-1) paths,
-        whose best valid one is found by a LazyGraph search. */
+    /** \brief Recombination: as all paths of a frame have their points on the same slices, any point on one slice can
+        be joined to any on the next. N candidates on each of m - 1 slices make a layered graph of N^(m-1) paths, whose
+        best valid one is found by a LazyGraph search. */
     class SliceGraph
     {
     public:
-        /** \brief \e frame and \e evaluator outlive the object. */
+        /** \brief \e frame and \e evaluator must outlive the object. */
         SliceGraph(const SliceFrame &frame, path::PathEvaluator &evaluator);
 
         /** \brief Removes all candidates. */
@@ -65,7 +65,7 @@ namespace ompl_mfa::engine::fireflies
         void addCandidates(const path::Waypoints &path);
 
         /** \brief Finds the best valid path through one candidate of each slice if it is better than \e bound
-            (infinite: any), within about \e work units of PathEvaluator::work(). */
+            (infinity: any), with a budget of about \e work units of PathEvaluator::work(). */
         bool search(double bound, std::uint64_t work, path::Waypoints &path);
 
     private:

@@ -46,7 +46,7 @@ namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
-        /* About a tenth of a millisecond. */
+        /* Multiplications that take about a tenth of a millisecond. */
         constexpr Eigen::Index MULTIPLICATIONS_AT_ONCE = 1 << 18;
     }  // namespace
 
@@ -72,7 +72,7 @@ namespace ompl_mfa::engine::fireflies
         const Eigen::Index m = waves_.rows();
         const double pieces = static_cast<double>(m) + 1.0;
         const double norm = std::sqrt(2.0 / pieces);
-        // all waves take their values from one period of the first: m^2 sines would take too long
+        // all waves are sampled from one period of the first, as computing m^2 sines would take too long
         std::vector<double> period(2 * static_cast<std::size_t>(m) + 2);
         for (std::size_t i = 0; i < period.size(); ++i)
         {

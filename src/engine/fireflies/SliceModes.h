@@ -54,11 +54,11 @@ namespace ompl_mfa::engine::fireflies
     class SliceModes
     {
     public:
-        /** \brief Whether all slices of \e frame have the same number of coordinates, at least one, as modes ask for.
-         */
+        /** \brief Whether all slices of \e frame have the same number of coordinates, at least one, which modes
+            require. */
         static bool exist(const SliceFrame &frame);
 
-        /** \brief \e frame outlives the object; its modes exist. */
+        /** \brief \e frame must outlive the object and satisfy exist(). */
         explicit SliceModes(const SliceFrame &frame);
 
         /** \brief Smallest amplitudes (d, as the frame's dimension). */
@@ -73,15 +73,14 @@ namespace ompl_mfa::engine::fireflies
             return upper_;
         }
 
-        /** \brief The frame's coordinates \e x (d) at \e amplitudes (d); what would leave the frame's box is set to its
-            bound. */
+        /** \brief The frame's coordinates \e x (d) at \e amplitudes (d); clamped to the frame's box. */
         void toCoordinates(const Eigen::Ref<const Eigen::VectorXd> &amplitudes, Eigen::Ref<Eigen::VectorXd> x) const;
 
-        /** \brief The same for \e count slices from slice \e first on: only their coordinates of \e x are written. */
+        /** \brief The same for \e count slices beginning with \e first: only their coordinates in \e x are written. */
         void toCoordinates(const Eigen::Ref<const Eigen::VectorXd> &amplitudes, std::size_t first, std::size_t count,
                            Eigen::Ref<Eigen::VectorXd> x) const;
 
-        /** \brief How many slices, at least one, take no more than a fraction of a millisecond. */
+        /** \brief Number of slices, at least one, that toCoordinates() handles in a fraction of a millisecond. */
         std::size_t slicesAtOnce() const;
 
         /** \brief The amplitudes (d) at the frame's coordinates \e x (d). */

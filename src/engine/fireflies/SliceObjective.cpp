@@ -103,7 +103,7 @@ namespace ompl_mfa::engine::fireflies
         {
             return {std::numeric_limits<double>::infinity(), cost.value()};
         }
-        // a rival that is beyond the bound now has lost to every path within it
+        // a rival beyond the present bound is worse than every path within it
         const bool lost = rival != nullptr && !withinBound(rival->cost);
         const Brightness brightness = evaluator_.evaluate(path_, cost, lost ? nullptr : rival, stride_);
         if (brightness.isFeasible())
@@ -119,8 +119,7 @@ namespace ompl_mfa::engine::fireflies
                evaluator_.objective()->isCostBetterThan(ompl::base::Cost(cost), ompl::base::Cost(bound_));
     }
 
-    /* Brightness is stored as it was computed, and the bound moves: only one judged by the bound of now can be compared
-       with another. */
+    /* Stored brightness may have been computed under another bound: it is compared as if under the present one. */
     Brightness SliceObjective::underBound(const Brightness &brightness) const
     {
         if (withinBound(brightness.cost))

@@ -46,23 +46,23 @@
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief What the fireflies optimise: the brightness of the path at the coordinates of a SliceFrame, or at the
+    /** \brief The objective of the fireflies: the brightness of the path at the coordinates of a SliceFrame, or at the
         amplitudes of its modes. Frame, modes and evaluator must outlive it. */
     class SliceObjective : public ObjectiveFunction
     {
     public:
-        /** \brief Called with every valid path that an evaluation finds. */
+        /** \brief Called with each valid path found by an evaluation. */
         using ValidPathEvent = std::function<void(const path::Waypoints &path, const Brightness &brightness)>;
 
         /** \brief \e modes may be null. */
         SliceObjective(const SliceFrame &frame, const SliceModes *modes, path::PathEvaluator &evaluator,
                        ValidPathEvent validPath);
 
-        /** \brief From now on a path must cost less than \e bound (be better than it, as the objective orders costs):
-            one that does not is not checked for collision, and is dimmer than any that does, by its distance from the
-            bound. Infinite: no bound. Brightness that was computed under another bound is compared as if it had been
-            under this one; a path that was never checked is then the dimmest of those that keep to the bound. Returns
-            whether the order of any brightness may have changed. */
+        /** \brief Sets the cost that a path has to be better than (infinity: no bound). A path that is not is not
+            checked for collision, and is dimmer than any path within the bound, the more so the farther its cost is
+            beyond it. Stored brightness is compared as if it had been computed under the present bound; an unchecked
+            path that is now within the bound is the dimmest of these. Returns whether the order of any brightness may
+            have changed. */
         bool setBound(double bound);
 
         double bound() const
@@ -70,14 +70,14 @@ namespace ompl_mfa::engine::fireflies
             return bound_;
         }
 
-        /** \brief As in PathEvaluator::evaluate; 1 at first. */
+        /** \brief The stride of PathEvaluator::evaluate; 1 by default. */
         void setStride(unsigned int stride);
 
-        /** \brief The frame's coordinates \e offsets (d) at \e x (d): the same, or those of the modes. False if
-            interrupted. */
+        /** \brief The frame's coordinates \e offsets (d) for \e x (d): equal to \e x, or computed from it by the modes.
+            False if interrupted. */
         bool toOffsets(const Eigen::Ref<const Eigen::VectorXd> &x, Eigen::Ref<Eigen::VectorXd> offsets);
 
-        /** \brief The violation is infinite where the path is beyond the bound, as it is then not known. */
+        /** \brief The violation is infinite for a path beyond the bound, which is not checked. */
         Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) override;
         bool isBrighter(const Brightness &a, const Brightness &b) const override;
 
@@ -94,7 +94,7 @@ namespace ompl_mfa::engine::fireflies
         Eigen::VectorXd scratch_;
         double bound_;
         unsigned int stride_{1};
-        double beyondBound_;  ///< larger than the violation of any path that keeps to the bound
+        double beyondBound_;  ///< exceeds the violation of any path within the bound
     };
 }  // namespace ompl_mfa::engine::fireflies
 

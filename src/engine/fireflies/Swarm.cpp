@@ -45,10 +45,10 @@ namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
-        /* Candidates on a slice: the brightest fireflies and as many fresh states. */
+        /* Candidates per slice: points of the brightest fireflies, and as many fresh states. */
         constexpr std::size_t FIREFLY_CANDIDATES = 20;
         constexpr std::size_t FRESH_CANDIDATES = 16;
-        /* Operations of the optimiser that take as long as a unit of PathEvaluator::addWork. */
+        /* Operations of the optimiser that take as long as one unit of PathEvaluator::addWork. */
         constexpr std::uint64_t OPERATIONS_A_WORK_UNIT = 8;
     }  // namespace
 
@@ -123,7 +123,7 @@ namespace ompl_mfa::engine::fireflies
         fireflies_ = std::move(fresh);
     }
 
-    /* The points of the brightest fireflies and fresh ones on each slice; false if interrupted. */
+    /* Adds the points of the brightest fireflies and fresh states on each slice; false if interrupted. */
     bool Swarm::addCandidates()
     {
         graph_.clear();

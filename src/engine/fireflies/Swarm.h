@@ -49,11 +49,11 @@
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief Fireflies over the slices of one frame, epoch after epoch. */
+    /** \brief A swarm of fireflies over the slices of one frame, for any number of epochs. */
     class Swarm
     {
     public:
-        /** \brief What a firefly's coordinates are: an offset on each slice, as in the paper, or the amplitudes of
+        /** \brief The coordinates of a firefly: the offsets on each slice, as in the paper, or the amplitudes of
             SliceModes (offsets where the frame has no modes). */
         enum class Coordinates
         {
@@ -61,37 +61,37 @@ namespace ompl_mfa::engine::fireflies
             Modes
         };
 
-        /** \brief \e frame has at least one coordinate; \e evaluator outlives the swarm. */
+        /** \brief \e frame must have at least one coordinate, and \e evaluator must outlive the swarm. */
         Swarm(SliceFrame frame, Coordinates coordinates, path::PathEvaluator &evaluator,
               const FireflyOptimizer::Settings &settings, std::uint64_t seed, SliceObjective::ValidPathEvent validPath);
         Swarm(const Swarm &) = delete;
         Swarm &operator=(const Swarm &) = delete;
 
-        /** \brief Puts \e path (one state on each slice between start and goal) into the swarm before its first
+        /** \brief Adds \e path (one state on each slice between start and goal) to the swarm before its first
             generation. */
         void inject(const path::Waypoints &path);
 
-        /** \brief As SliceObjective::setBound; the fireflies are ordered by the new bound. */
+        /** \brief As SliceObjective::setBound; reorders the fireflies. */
         void setBound(double bound);
 
-        /** \brief As PathEvaluator::evaluate. */
+        /** \brief The stride of PathEvaluator::evaluate. */
         void setStride(unsigned int stride)
         {
             objective_.setStride(stride);
         }
 
-        /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. Allocates; not
-            for the search. */
+        /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. Allocates, so not
+            for use in the search. */
         void pathOf(Eigen::Index i, path::Waypoints &path) const;
 
-        /** \brief One generation, as FireflyOptimizer::step, whose operations are counted as work of the evaluator.
-            After the last generation of an epoch the next begins with the brightest fifth of the old swarm among new
-            random fireflies. */
+        /** \brief Advances by one generation as FireflyOptimizer::step does, with its operations counted as work of the
+            evaluator. After the last generation of an epoch the next begins with the brightest fifth of the old swarm
+            among new random fireflies. */
         bool step(const FireflyOptimizer::StopCondition &stop);
 
         /** \brief Recombination: searches the graph of the fireflies' points, of \e path (one state on each slice; may
-           be empty) and of fresh states on the slices for a path better than \e bound, within about \e work units of
-            PathEvaluator::work(). True with the path in \e found. */
+           be empty) and of fresh states on the slices for a path better than \e bound, with a budget of about \e work
+           units of PathEvaluator::work(). True if there is one, then in \e found. */
         bool recombine(const path::Waypoints &path, double bound, std::uint64_t work, path::Waypoints &found);
 
         const SliceFrame &frame() const
@@ -110,7 +110,7 @@ namespace ompl_mfa::engine::fireflies
             return epoch_;
         }
 
-        /** \brief Path evaluations of all epochs. */
+        /** \brief Path evaluations in all epochs. */
         std::uint64_t evaluations() const
         {
             return earlierEvaluations_ + fireflies_->evaluations();
@@ -130,13 +130,13 @@ namespace ompl_mfa::engine::fireflies
         SliceGraph graph_;
         RandomSource random_;
         path::Waypoints point_;
-        Eigen::VectorXd coordinates_;  ///< of the frame
+        Eigen::VectorXd coordinates_;  ///< coordinates of the frame
         Eigen::VectorXd scratch_;
         std::uint64_t seed_;
         std::unique_ptr<FireflyOptimizer> fireflies_;
         unsigned int epoch_{0};
         std::uint64_t earlierEvaluations_{0};
-        std::uint64_t countedOperations_{0};  ///< of fireflies_, as far as they were added to the evaluator's work
+        std::uint64_t countedOperations_{0};  ///< operations of fireflies_ already counted as work
     };
 }  // namespace ompl_mfa::engine::fireflies
 

@@ -47,13 +47,13 @@ namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
-        /* Pairs of start and goal beyond these get no swarm of their own. */
+        /* Maximum number of start-goal pairs with a swarm of their own. */
         constexpr std::size_t MAX_SWARMS = 8;
-        /* State checks of the guides before the first turn of a swarm. */
+        /* Work of the guides before the first turn of a swarm. */
         constexpr std::uint64_t FIRST_GUIDES = 50000;
         /* Generations in a window. */
         constexpr unsigned int WINDOW_GENERATIONS = 15;
-        /* One window in so many has its slices across the path, not across the straight motion. */
+        /* One window in this many has its slices across the path, not across the straight motion. */
         constexpr std::size_t CURVED_WINDOWS = 3;
     }  // namespace
 
@@ -72,7 +72,7 @@ namespace ompl_mfa::engine::fireflies
 
     Swarm *Swarms::active()
     {
-        // where the stop condition left no time to lay one, there is none yet
+        // none yet if the stop condition left no time to make one
         if (mustChoose())
         {
             choose();
@@ -127,7 +127,7 @@ namespace ompl_mfa::engine::fireflies
         }
     }
 
-    /* Swarms on straight axes are made when the first of them is to fly: as a rule a guide has found a path before. */
+    /* Swarms over straight axes are made when the first of them is needed; usually a guide has found a path by then. */
     void Swarms::layStraight()
     {
         while (laid_ < MAX_SWARMS)
@@ -156,8 +156,8 @@ namespace ompl_mfa::engine::fireflies
         }
     }
 
-    /* A part of the best path, any as likely as any other; where the slices are laid across the path, the alternatives
-       have their turns too. */
+    /* Opens a window on a segment of the best path, drawn uniformly; windows with slices across the path alternate
+       between it and the alternatives. */
     void Swarms::openWindow()
     {
         const Alternatives &alternatives = context_.alternatives;
@@ -166,7 +166,7 @@ namespace ompl_mfa::engine::fireflies
         WindowSwarm::Window window{axis == 0 ? context_.incumbent.path() : alternatives[axis - 1], 0, 0,
                                    context_.incumbent.cost()};
         const auto vertices = static_cast<unsigned int>(window.path.size());
-        // a single motion can only be replaced where it is all there is
+        // a single motion can only be replaced if it is the whole path
         window.first = vertices > 2 ? windowRandom_.index(vertices - 2) : 0;
         const auto nearest = std::min<std::size_t>(window.first + 2, vertices - 1);
         window.last = nearest + windowRandom_.index(static_cast<unsigned int>(vertices - nearest));
@@ -193,7 +193,7 @@ namespace ompl_mfa::engine::fireflies
         return completed;
     }
 
-    /* Where the window has found something, the next one waits for what becomes of that. */
+    /* Once the window has found something, the next window waits until that is tightened and compared. */
     void Swarms::endGeneration(Findings &findings)
     {
         if (!flyInWindow() || !pursueWindow(findings))
@@ -202,8 +202,8 @@ namespace ompl_mfa::engine::fireflies
         }
     }
 
-    /* What the fireflies of a window found is compared with the segment that is there, after tightening; then the
-       window has served. Whether it has. */
+    /* Proposes what the fireflies of the window found as a replacement for its segment, to be compared after
+       tightening. Returns whether the window is finished. */
     bool Swarms::pursueWindow(Findings &findings)
     {
         path::PathEvaluator &evaluator = context_.evaluator();
@@ -211,7 +211,7 @@ namespace ompl_mfa::engine::fireflies
         {
             return false;
         }
-        // one that can be deformed into the segment that is there would only be tightened to that
+        // a path that can be deformed into the present segment would only be tightened to that
         if (!context_.settings.tightening || !path::seemDeformable(evaluator, window_->found(), window_->segment()))
         {
             findings.detours.push_back(window_->detour(PartKind::Fireflies));
@@ -265,7 +265,7 @@ namespace ompl_mfa::engine::fireflies
             const FireflyOptimizer &fireflies = swarm.fireflies();
             for (const unsigned int i : fireflies.order())
             {
-                // of the others nobody knows which states are valid
+                // of the others it is unknown which states are valid
                 if (!fireflies.brightness(i).isFeasible())
                 {
                     continue;

@@ -50,24 +50,25 @@
 namespace ompl_mfa::engine::fireflies
 {
     /** \brief The swarms of a search: over the straight axes between starts and goals, and in windows of the best path
-        or an alternative. One of them is active at a time. */
+        or an alternative. Only one of them is active at a time. */
     class Swarms
     {
     public:
-        /** \brief The swarms begin to improve a path after this many times the time that it took: where a first path
-            is hard to find, another is too. */
+        /** \brief The swarms begin to improve the first path after this many times the time that it took: where a first
+            path is hard to find, so is another. */
         static constexpr double DELAY = 10.0;
 
         struct Options
         {
-            Swarm::Coordinates coordinates{Swarm::Coordinates::Modes};  ///< of the swarms over straight axes
-            bool windows{true};  ///< whether swarms fly in windows once there is a path
-            bool guided{false};  ///< whether guides should search for a first path before the fireflies do
-            bool bounded{true};  ///< whether fireflies that cannot become the best path are not checked for validity
+            Swarm::Coordinates coordinates{
+                Swarm::Coordinates::Modes};  ///< coordinates of the swarms over straight axes
+            bool windows{true};              ///< whether swarms fly in windows once there is a path
+            bool guided{false};              ///< whether guides search for a first path before the fireflies do
+            bool bounded{true};  ///< whether fireflies that cannot become the best path skip the validity check
             FireflyOptimizer::Settings fireflies;
         };
 
-        /** \brief \e context outlives the object. */
+        /** \brief \e context must outlive the object. */
         Swarms(const SearchContext &context, const Options &options);
 
         const Options &options() const
@@ -75,42 +76,42 @@ namespace ompl_mfa::engine::fireflies
             return options_;
         }
 
-        /** \brief Whether there is a swarm, or can be one. */
+        /** \brief Whether there is a swarm, or one can be made. */
         bool any() const;
 
-        /** \brief Whether guides should still search alone: where a first path is not found yet, the first turn of a
-            swarm takes thousands of state checks. */
+        /** \brief Whether the guides should still search alone: without a path, the first turn of a swarm takes
+            thousands of state checks. */
         bool waitForGuides() const;
 
-        /** \brief The active swarm, chosen now if that is due: those over straight axes take turns by generations; once
-            there is a path, windows have every other turn, or all of them where there is only one axis (the whole path
-            is a window too). Null where there is none. */
+        /** \brief The active swarm, chosen now if a choice is due. Swarms over straight axes alternate by generations.
+            Once there is a path, windows get every other turn, or all turns if there is only one axis (as the whole
+            path can be a window, too). Null if there is none. */
         Swarm *active();
 
-        /** \brief Whether the next call of active() chooses. */
+        /** \brief Whether the next call of active() makes a choice. */
         bool mustChoose() const
         {
             return windowServed_ || active_ == nullptr;
         }
 
-        /** \brief The active swarm, or the last one before the next is chosen; null where none was. */
+        /** \brief The active swarm, or the previous one until the next is chosen; null before the first. */
         const Swarm *current() const
         {
             return active_;
         }
 
-        /** \brief The window in which the active swarm flies, or null. */
+        /** \brief The window of the active swarm, or null. */
         const WindowSwarm *window() const;
         WindowSwarm *window();
 
-        /** \brief Advances the active swarm, which there is, by about \e work; true if a generation was completed. */
+        /** \brief Advances the active swarm, which must exist, by about \e work; true if a generation was completed. */
         bool fly(std::uint64_t work);
 
-        /** \brief To be called after a generation or recombination: what the window has found becomes a detour, and
-            another swarm is chosen. */
+        /** \brief To be called after a generation or recombination: makes what the window has found a detour, and has
+            another swarm chosen. */
         void endGeneration(Findings &findings);
 
-        /** \brief The best valid firefly over a straight axis since the last call, with its cost; none if empty. */
+        /** \brief The best valid firefly over a straight axis since the last call, with its cost, or nothing. */
         std::optional<Proposal> takeFirefly();
 
         /** \brief The paths of the current swarm, brightest first. */
@@ -130,13 +131,13 @@ namespace ompl_mfa::engine::fireflies
         const SearchContext &context_;
         Options options_;
         EndPairs pairs_;
-        std::size_t laid_{0};  ///< pairs that were returned by pairs_
+        std::size_t laid_{0};  ///< pairs taken from pairs_
         std::vector<std::unique_ptr<Swarm>> straight_;
         std::unique_ptr<WindowSwarm> window_;
-        Swarm *active_{nullptr};    ///< the window's, or one of straight_
-        bool windowServed_{false};  ///< whether window_ is kept only to be shown
-        std::size_t chosen_{0};     ///< how often, where windows and straight axes alternate
-        std::size_t windows_{0};    ///< opened so far
+        Swarm *active_{nullptr};    ///< that of the window, or one of straight_
+        bool windowServed_{false};  ///< whether window_ is finished and only kept for display
+        std::size_t chosen_{0};     ///< number of choices between windows and straight axes
+        std::size_t windows_{0};    ///< number of windows opened so far
         RandomSource windowRandom_;
         Proposal firefly_;
     };

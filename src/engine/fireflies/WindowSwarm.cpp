@@ -47,10 +47,10 @@ namespace ompl_mfa::engine::fireflies
 {
     namespace
     {
-        /* A way may be longer than the one that is there by this part of the whole path's cost: tightening makes it
-           shorter. */
+        /* A new segment may cost more than the present one by this fraction of the whole path's cost, as it is
+           tightened afterwards. */
         constexpr double SLACK = 0.15;
-        /* Of so many states of a motion one is asked first, and the others only if all of those are valid: most
+        /* One state of a motion in this many is checked first, and the others only if all of those are valid: most
            fireflies collide. */
         constexpr unsigned int STRIDE = 20;
     }  // namespace
@@ -69,8 +69,8 @@ namespace ompl_mfa::engine::fireflies
         bound_ = boundOf(cost_);
     }
 
-    /* The slack is a part of the whole path's cost, or of the segment's own where the path has no finite cost. What
-       replaces a segment of infinite cost only has to have a finite one. */
+    /* The slack is a fraction of the whole path's cost, or of the segment's own if the path has infinite cost. A
+       segment of infinite cost may be replaced by any of finite cost. */
     double WindowSwarm::boundOf(ob::Cost segment) const
     {
         const double whole = std::isfinite(window_.pathCost) ? window_.pathCost : segment.value();
@@ -99,8 +99,8 @@ namespace ompl_mfa::engine::fireflies
         return result;
     }
 
-    /* How far aside of an axis of this length a way may go that keeps to the slack: half the minor axis of the
-       ellipsoid that holds all such ways. */
+    /* The lateral distance that a segment within the slack can reach from an axis of this length: half the minor axis
+       of the ellipsoid that contains all such segments. */
     double WindowSwarm::reach(double axis) const
     {
         const double longest = segment_.length() + SLACK * window_.path.length();
@@ -113,7 +113,7 @@ namespace ompl_mfa::engine::fireflies
                                     reach(chart->distance(segment_.front(), segment_.back())));
     }
 
-    /* An axis through the vertices, with more of them where motions are long. */
+    /* An axis through the vertices, with further states on long motions. */
     SliceFrame WindowSwarm::curvedFrame(const path::StateChartPtr &chart, unsigned int slices) const
     {
         const auto &space = chart->space();
@@ -153,7 +153,7 @@ namespace ompl_mfa::engine::fireflies
     {
         const path::Waypoints none(window_.path.space());
         path::Waypoints spliced(window_.path.space());
-        // where the stop condition left the cost of what was found unknown, that is no bound
+        // if the stop condition left the cost unknown, it is no bound
         const bool better =
             !found_.empty() && evaluator_.objective()->isCostBetterThan(ob::Cost(foundCost_), ob::Cost(bound_));
         return swarm_->recombine(none, better ? foundCost_ : bound_, work, spliced) &&

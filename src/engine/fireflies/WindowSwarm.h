@@ -48,16 +48,16 @@
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief Fireflies in a window of a path: they look for another way between two of its vertices, and know nothing
-        of the one that is there.
+    /** \brief Fireflies in a window of a path: they search for another path between two of its vertices,
+        independently of the present segment.
 
-        A window is a problem of the paper's kind, small enough for a few generations: fewer slices, shorter paths, and
-        a way that may be longer by a part of the whole path's cost, so that it can pass an obstacle on another side
-        before it is tightened. */
+        A window is a problem of the paper's kind, small enough for a few generations: there are fewer slices and
+        paths are shorter. A new segment may cost more than the present one by a fraction of the whole path's cost,
+        so that it can pass an obstacle on the other side before it is tightened. */
     class WindowSwarm
     {
     public:
-        /** \brief Where the slices lie: across the straight motion from end to end of the window, or across the path
+        /** \brief Position of the slices: across the straight motion between the ends of the window, or across the path
             within it. */
         enum class Frame
         {
@@ -65,7 +65,8 @@ namespace ompl_mfa::engine::fireflies
             Curved
         };
 
-        /** \brief The vertices \e first < \e last of a path of cost \e pathCost, which may be infinite. */
+        /** \brief The segment between vertices \e first < \e last of a path of cost \e pathCost, which may be
+            infinite. */
         struct Window
         {
             path::Waypoints path;
@@ -74,26 +75,27 @@ namespace ompl_mfa::engine::fireflies
             double pathCost;
         };
 
-        /** \brief Null where the slices have no coordinates, as in one dimension. \e slices of a straight frame, and
-            about as many of a curved one; \e evaluator outlives the swarm. */
+        /** \brief Opens a window; null if the slices have no coordinates, as in one dimension. \e slices is the number
+            of slices of a straight frame and the approximate number of a curved one. \e evaluator must outlive the
+            swarm. */
         static std::unique_ptr<WindowSwarm> open(Window window, Frame frame, unsigned int slices,
                                                  const path::StateChartPtr &chart, path::PathEvaluator &evaluator,
                                                  const FireflyOptimizer::Settings &settings, std::uint64_t seed);
 
-        /** \brief As Swarm::recombine; true if it found a better segment than found(), which that now is. */
+        /** \brief As Swarm::recombine; true if it improved found(). */
         bool recombine(std::uint64_t work);
 
-        /** \brief Whether all generations were made. */
+        /** \brief Whether all generations are done. */
         bool exhausted() const;
 
-        /** \brief The best valid segment so far from the first vertex of the window to its last; empty before the
-            first. */
+        /** \brief The best valid segment found, between the first and the last vertex of the window; empty if there is
+            none. */
         const path::Waypoints &found() const
         {
             return found_;
         }
 
-        /** \brief What a segment has to cost less than: never infinite, whatever the path costs. */
+        /** \brief The cost that a new segment has to be better than; finite even if the path's cost is not. */
         double bound() const
         {
             return bound_;
@@ -111,10 +113,10 @@ namespace ompl_mfa::engine::fireflies
             return cost_;
         }
 
-        /** \brief What found() would replace. */
+        /** \brief found() as a replacement for segment(). */
         Detour detour(PartKind origin) const;
 
-        /** \brief The whole path, with \e segment instead of segment(). */
+        /** \brief The whole path, with \e segment in place of segment(). */
         path::Waypoints pathWith(const path::Waypoints &segment) const;
 
         Swarm &swarm()
@@ -142,7 +144,7 @@ namespace ompl_mfa::engine::fireflies
         double bound_;
         std::unique_ptr<Swarm> swarm_;
         path::Waypoints found_;
-        double foundCost_{0.0};  ///< of found_, unless that is empty
+        double foundCost_{0.0};  ///< cost of found_, if that is not empty
     };
 }  // namespace ompl_mfa::engine::fireflies
 

@@ -46,19 +46,19 @@ namespace ompl_mfa::engine::graph
 {
     namespace
     {
-        /* Edges found invalid in one forward search, at the least, before the cost-to-go is computed again, which has
-           to be worth its price, too. */
+        /* Number of edges found invalid in a forward search after which the cost-to-go may be computed again, if that
+           is worth its price. */
         constexpr unsigned int STALE_AFTER = 24;
-        /* Edges that a search handles for the price of one state check. */
+        /* Edges processed for the price of one state check. */
         constexpr std::uint64_t EDGES_PER_WORK = 2;
-        /* Vertices handled between two evaluations of the stop condition. */
+        /* Vertices processed between two evaluations of the stop condition. */
         constexpr std::size_t VERTICES_BETWEEN_STOPS = 64;
-        /* Edges handled between two of them. */
+        /* Edges processed between two evaluations of the stop condition. */
         constexpr std::size_t EDGES_BETWEEN_STOPS = 2048;
-        /* A motion is screened at states at least so many steps apart. */
+        /* Screening checks states that are at least this many steps of the resolution apart. */
         constexpr unsigned int SCREENING_STRIDE = 3;
-        /* Times that a cost-to-go is handed on best first where motions have negative costs, before the pass goes on
-           in sweeps over all edges. */
+        /* With negative motion costs, the number of expansions of a vertex after which the best-first backward search
+           is continued by sweeps over all edges. */
         constexpr unsigned int MAX_EXPANSIONS = 20;
     }  // namespace
 
@@ -110,7 +110,7 @@ namespace ompl_mfa::engine::graph
         {
             return false;
         }
-        // an objective calls itself symmetric by default where the space is, mechanical work too
+        // by default an objective is symmetric if the space is, even mechanical work: compute both directions
         ob::Cost reverse = cost;
         if (bothWays && !evaluator_.bounds().certain() && !evaluator_.motionCost(states_[to], states_[from], reverse))
         {
@@ -153,7 +153,7 @@ namespace ompl_mfa::engine::graph
         }
         std::deque<Edge> edges;
         std::vector<Validity> checks;
-        // both directions of a motion follow each other
+        // the two directions of a motion are adjacent
         Index check = NONE;
         std::size_t handled = 0;
         for (const Edge &edge : edges_)
@@ -249,7 +249,7 @@ namespace ompl_mfa::engine::graph
         return std::isinf(bound) || better(cost, bound);
     }
 
-    /* Whether some paths beat \e bound that do not beat \e than. */
+    /* Whether a path can beat \e bound but not \e than. */
     bool LazyGraph::isWorse(double bound, double than) const
     {
         return !std::isinf(than) && (std::isinf(bound) || better(than, bound));
@@ -271,8 +271,8 @@ namespace ompl_mfa::engine::graph
         return entry;
     }
 
-    /* Cost-to-go of every vertex from which a goal can be reached by motions not known to be invalid, and the steps
-       from the source. False if interrupted. */
+    /* Backward search: the cost-to-go of every vertex from which a goal can be reached by motions not known to be
+       invalid, and the edges from the source. False if interrupted. */
     bool LazyGraph::begin(double bound)
     {
         const std::uint64_t before = evaluator_.work();
@@ -365,7 +365,7 @@ namespace ompl_mfa::engine::graph
 
     bool LazyGraph::backwardBestFirst(double bound)
     {
-        // if no motion has a negative cost, vertices from where no start can beat the bound any more are pruned
+        // without negative motion costs, vertices through which no start can beat the bound are pruned
         const bool monotone = evaluator_.bounds().monotone();
         const unsigned int expansions = monotone ? 1 : MAX_EXPANSIONS;
         const double initial = bestInitialCost();
@@ -412,7 +412,7 @@ namespace ompl_mfa::engine::graph
         return settled || backwardInSweeps();
     }
 
-    /* Bellman-Ford, from the costs-to-go that there are. */
+    /* Bellman-Ford, beginning with the present costs-to-go. */
     bool LazyGraph::backwardInSweeps()
     {
         for (bool changed = true; changed;)
@@ -443,7 +443,7 @@ namespace ompl_mfa::engine::graph
         return true;
     }
 
-    /* Whether the edges toward the goal close a cycle: they do if, and soon after, one has a negative cost. */
+    /* Whether the edges toward the goal form a cycle; they do, now or soon, if there is a negative cycle. */
     bool LazyGraph::improvesInCycles()
     {
         walks_.assign(vertices_.size(), NONE);
@@ -463,7 +463,7 @@ namespace ompl_mfa::engine::graph
         return false;
     }
 
-    /* Takes an edge for the path to the goal if it is better than what is known. */
+    /* Makes the edge the first one of its vertex's path to the goal if that is better. */
     bool LazyGraph::relax(Index index)
     {
         const Edge &edge = edges_[index];
@@ -493,13 +493,13 @@ namespace ompl_mfa::engine::graph
         return vertex.validity == Validity::Valid;
     }
 
-    /* Checks the state at the end of a motion first: an invalid one rules out all motions to it at once. */
+    /* The state at the end of the motion is checked first: an invalid one rules out all motions to it at once. */
     bool LazyGraph::screenEdge(const Edge &edge)
     {
         return checkVertex(edge.to) && evaluator_.screenMotion(states_[edge.from], states_[edge.to], SCREENING_STRIDE);
     }
 
-    /* Checks the motions of the path to this goal; most of those that a search screens are of no path. */
+    /* Checks the motions of the path to this goal; most screened motions are not on it. */
     LazyGraph::Outcome LazyGraph::confirm(Index goal, std::uint64_t limit)
     {
         for (Index v = goal; vertices_[v].parent != NONE; v = edges_[vertices_[v].parent].from)
@@ -611,14 +611,14 @@ namespace ompl_mfa::engine::graph
         }
     }
 
-    /* Takes up to \e limit of PathEvaluator::work(). */
+    /* Best-first search with a budget of \e limit units of PathEvaluator::work(). */
     LazyGraph::Outcome LazyGraph::forward(double bound, std::uint64_t limit)
     {
         const std::uint64_t before = evaluator_.work() - forwardWork_;
         Outcome outcome = Outcome::Passed;
         for (std::uint64_t handled = 1; outcome == Outcome::Passed; ++handled)
         {
-            // once the most promising step cannot beat the bound, none can
+            // if the most promising step cannot beat the bound, none can
             if (queue_.empty() || (exact_ && !canBeat(queue_.front().key, bound)))
             {
                 return Outcome::Exhausted;
@@ -638,7 +638,7 @@ namespace ompl_mfa::engine::graph
             {
                 outcome = invalid_ >= STALE_AFTER && forwardWork_ >= backwardWork_ ? Outcome::Stale : Outcome::Passed;
             }
-            // what was cut short is taken up by the next search, what was found may be asked for again
+            // an interrupted step is repeated by the next search, and a path found may be asked for again
             if (outcome == Outcome::Stopped || outcome == Outcome::Found)
             {
                 push(entry);
@@ -676,7 +676,8 @@ namespace ompl_mfa::engine::graph
                 return false;
             }
             bound_ = bound;
-            // in a large graph the backward pass alone may use up the work: the motions still get a share of their own
+            // in a large graph the backward search may use up the whole budget: the forward search still gets one of
+            // its own
             switch (forward(bound, std::max(limit, evaluator_.work() + work / 2)))
             {
                 case Outcome::Found:

@@ -48,43 +48,43 @@
 
 namespace ompl_mfa::engine::graph
 {
-    /** \brief A directed graph of states, whose states and motions are checked for collision only when a search comes
-       to need them, and no motion twice.
+    /** \brief A directed graph of states whose validity, like that of its motions, is checked only when a search
+       needs it; no motion is checked twice.
 
-        A path begins at one of several starts and ends at one of several goals; it may lead through others. Its cost is
-        that of PathEvaluator::cost, with initial and terminal cost: a source before all starts and a sink behind all
-        goals, with edges of these costs, make one start and one goal of them.
+       A path begins at one of several starts and ends at one of several goals; it may pass through others. Its cost
+       is that of PathEvaluator::cost, including initial and terminal cost. These are the costs of edges from a
+       single source to all starts and from all goals to a single sink.
 
-        A search for a path better than a bound makes one backward pass that ignores unchecked collisions, which gives
-        an exact cost-to-go of what is known, and then goes forward best first; a motion is screened, by a part of its
-        states, when it is the most promising one left, and checked when it is of the path that was found. When one of
-        the path has turned out invalid, or many others and this has taken as long as a backward pass, the cost-to-go is
-        computed again. A search that was cut short goes on where it was if the graph is as it was and the bound no
-        worse. */
+       A search for a path better than a bound begins with a backward search that takes unchecked motions to be valid
+       and gives the exact cost-to-go under this assumption. A best-first forward search follows: the most promising
+       motion is screened at some of its states, and the motions of the path found are checked in full. The backward
+       search is repeated when a motion of that path is invalid, or when many other motions are and the forward
+       search has taken as long as a backward search. An interrupted search is resumed if the graph is unchanged and
+       the bound is no worse. */
     class LazyGraph
     {
     public:
         explicit LazyGraph(path::PathEvaluator &evaluator);
 
-        /** \brief Removes all vertices and edges; memory is kept. */
+        /** \brief Removes all vertices and edges but keeps the memory. */
         void clear();
 
-        /** \brief Adds a copy of \e state, not yet checked unless \e valid, and returns its number: 0, 1, ... */
+        /** \brief Adds a copy of \e state, not yet checked unless \e valid, and returns its index: 0, 1, ... */
         std::size_t addVertex(const ompl::base::State *state, bool valid);
 
-        /** \brief Paths may begin at \e vertex, at the objective's initialCost. */
+        /** \brief Makes \e vertex a start, with the objective's initialCost. */
         void setStart(std::size_t vertex);
 
-        /** \brief Paths may end at \e vertex, at the objective's terminalCost. */
+        /** \brief Makes \e vertex a goal, with the objective's terminalCost. */
         void setGoal(std::size_t vertex);
 
         /** \brief Adds the motion \e from -> \e to, not yet checked. With \e bothWays also the reverse, which is taken
-           to have the same validity. False, without adding it, if the evaluator is interrupted. */
+           to have the same validity. False if the evaluator was interrupted; then nothing is added. */
         bool addEdge(std::size_t from, std::size_t to, bool bothWays);
 
-        /** \brief Removes the vertices for which \e kept (one for each) is false, other than starts and goals, with
-           their edges, and all edges that were found invalid. The others keep their order and what is known of them,
-           and are numbered 0, 1, ... again. False, with nothing removed, if the evaluator is interrupted. */
+        /** \brief Removes the vertices for which \e kept (one value each) is false, except starts and goals, with their
+           edges, and all edges found invalid. The other vertices keep their order and what is known of them, and are
+           renumbered from 0. False if the evaluator was interrupted; then nothing is removed. */
         bool retain(const std::vector<bool> &kept);
 
         std::size_t size() const
@@ -92,7 +92,7 @@ namespace ompl_mfa::engine::graph
             return vertices_.size();
         }
 
-        /** \brief Directed edges: what a pass over all of the graph handles. */
+        /** \brief Number of directed edges. */
         std::size_t edges() const
         {
             return edges_.size();
@@ -103,36 +103,35 @@ namespace ompl_mfa::engine::graph
             return states_[vertex];
         }
 
-        /** \brief Whether paths may begin or end at \e vertex. */
+        /** \brief Whether \e vertex is a start or a goal. */
         bool isEnd(std::size_t vertex) const
         {
             return vertices_[vertex].start || vertices_[vertex].goal != NONE;
         }
 
-        /** \brief The vertices at which paths may begin. */
+        /** \brief The start vertices. */
         std::vector<std::size_t> starts() const;
 
-        /** \brief The vertices at which paths may end. */
+        /** \brief The goal vertices. */
         std::vector<std::size_t> goals() const;
 
-        /** \brief From and to of the motions that were found valid. */
+        /** \brief The motions found valid, as pairs of vertices: from, to. */
         std::vector<std::pair<std::size_t, std::size_t>> validEdges() const;
 
-        /** \brief Finds the best path from a start to a goal if it is better than \e bound (infinite: any). Stops after
-            about \e work units of PathEvaluator::work(), or when the evaluator is interrupted; what was checked is
-            kept. Returns true with the path, which may be a single state, in \e path.
+        /** \brief Finds the best path from a start to a goal if it is better than \e bound (infinity: any), with a
+            budget of about \e work units of PathEvaluator::work(), or until the evaluator is interrupted. Results of
+            checks are kept. Returns true if there is one, then in \e path; it may be a single state.
 
-            Where a cycle makes a path better each time it is gone round, no path is the best: then the answer is the
-            best of those that the search finds, and it still beats the bound. */
+            With a negative cycle no path is optimal; the result then still beats the bound. */
         bool search(double bound, std::uint64_t work, path::Waypoints &path);
 
-        /** \brief Whether the last search ended because no better path is left in the graph. */
+        /** \brief Whether the last search ended because the graph has no better path. */
         bool exhausted() const
         {
             return exhausted_;
         }
 
-        /** \brief Cost of the path that the last successful search returned, as added up from the edges. */
+        /** \brief Cost of the path returned by the last successful search, as the sum of its edges. */
         double cost() const
         {
             return cost_;
@@ -142,7 +141,7 @@ namespace ompl_mfa::engine::graph
         enum class Validity : std::uint8_t
         {
             Unknown,
-            Screened,  ///< some of its states are valid
+            Screened,  ///< some of its states were checked and are valid
             Valid,
             Invalid
         };
@@ -151,32 +150,32 @@ namespace ompl_mfa::engine::graph
 
         static constexpr Index NONE = std::numeric_limits<Index>::max();
 
-        /* A motion; its reverse, if the motion serves both ways, has the same check. */
+        /* A motion. If the reverse motion exists, it shares the validity. */
         struct Edge
         {
             Index from;
             Index to;
-            Index check;  ///< into checks_
+            Index check;  ///< index into checks_
             double cost;
         };
 
         struct Vertex
         {
-            std::vector<Index> out;  ///< edges
+            std::vector<Index> out;  ///< indices of outgoing edges
             std::vector<Index> in;
             double costToCome{0.0};
             double costToGo{0.0};
-            Index parent{NONE};          ///< edge by which it was reached, none at a start
-            Index next{NONE};            ///< edge toward the goal, none where the path ends best
-            Index goal{NONE};            ///< into goals_, or none
-            unsigned int expansions{0};  ///< how often costToGo was handed on
+            Index parent{NONE};          ///< incoming edge on the path from the start, none at a start
+            Index next{NONE};            ///< outgoing edge on the path to the goal, none where the path ends
+            Index goal{NONE};            ///< index into goals_, or none
+            unsigned int expansions{0};  ///< how often the vertex was expanded in the backward search
             bool start{false};
             bool reached{false};
             bool reaches{false};  ///< whether costToGo is known
             Validity validity{Validity::Unknown};
         };
 
-        /* An edge from the source to a start or from a goal to the sink. */
+        /* The edge from the source to a start or from a goal to the sink. */
         struct End
         {
             Index vertex;
@@ -185,9 +184,9 @@ namespace ompl_mfa::engine::graph
 
         enum class Step : std::uint8_t
         {
-            Begin,  ///< from the source, into starts_
-            Move,   ///< into edges_
-            Finish  ///< to the sink, into goals_
+            Begin,  ///< from the source to a start, an index into starts_
+            Move,   ///< along an edge, an index into edges_
+            Finish  ///< from a goal to the sink, an index into goals_
         };
 
         struct QueueEntry
@@ -203,7 +202,7 @@ namespace ompl_mfa::engine::graph
             Exhausted,
             Stale,
             Stopped,
-            Passed,  ///< the step was taken or is of no use
+            Passed,  ///< the step was taken or is useless
             Blocked  ///< its motion is invalid
         };
 
@@ -235,20 +234,20 @@ namespace ompl_mfa::engine::graph
         path::PathEvaluator &evaluator_;
         path::Waypoints states_;
         std::vector<Vertex> vertices_;
-        std::deque<Edge> edges_;  ///< a vector would copy itself for milliseconds when it grows
+        std::deque<Edge> edges_;  ///< a vector would take milliseconds to copy when it grows
         std::vector<Validity> checks_;
         std::vector<End> starts_;
         std::vector<End> goals_;
         std::vector<QueueEntry> queue_;
         std::vector<Index> walks_;
         bool acyclic_{true};  ///< whether every edge leads from an earlier vertex to a later one
-        bool begun_{false};   ///< whether costs-to-go and queue are those of the graph as it is
-        bool exact_{true};    ///< whether the costs-to-go are those of paths, so that none is missed
+        bool begun_{false};   ///< whether costs-to-go and queue match the present graph
+        bool exact_{true};    ///< whether each cost-to-go is that of a path, so that pruning by it is safe
         bool exhausted_{false};
-        double bound_{0.0};  ///< of the last search
+        double bound_{0.0};  ///< bound of the last search
         double cost_{0.0};
-        Index found_{0};           ///< goal of the path found
-        unsigned int invalid_{0};  ///< motions found invalid since it began
+        Index found_{0};           ///< goal of the last path found
+        unsigned int invalid_{0};  ///< motions found invalid since the last backward search
         std::uint64_t backwardWork_{0};
         std::uint64_t forwardWork_{0};
     };

@@ -53,7 +53,7 @@ namespace ompl_mfa::engine::guides
     namespace
     {
         /* Until there is a path, a turn lasts at least as long as all turns so far divided by this: a planner that
-           starts over in each turn comes to its end all the same, in a few times the work that it needs. */
+           restarts in each turn then still finishes, in a few times the work that it needs. */
         constexpr std::uint64_t FRUITLESS = 4;
 
         using Count = std::shared_ptr<std::atomic<std::uint64_t>>;
@@ -88,7 +88,7 @@ namespace ompl_mfa::engine::guides
             Count count_;
         };
 
-        /* The user's space information as seen by a planner whose work is counted. */
+        /* The user's space information for a planner whose work is counted. */
         class CountedSpaceInformation : public ob::SpaceInformation
         {
         public:
@@ -101,7 +101,7 @@ namespace ompl_mfa::engine::guides
                 setMotionValidator(std::make_shared<CountingValidator>(user, count));
                 setValidStateSamplerAllocator([user](const ob::SpaceInformation *)
                                               { return user->allocValidStateSampler(); });
-                // the space was set up with the user's space information and may be in use by other threads
+                // the user's space information is set up already, and the space may be in use by other threads
                 setup_ = true;
             }
 
@@ -109,8 +109,8 @@ namespace ompl_mfa::engine::guides
             Count count_;
         };
 
-        /* The goal states that are known, which any planner can sample, and what else the user's goal is satisfied
-           with. */
+        /* The known goal states, which any planner can sample; other states satisfy it if they satisfy the user's
+           goal. */
         class KnownGoals : public ob::GoalStates
         {
         public:
@@ -207,7 +207,7 @@ namespace ompl_mfa::engine::guides
                 {
                     return true;
                 }
-                // planners with several threads ask from all of them
+                // planners with several threads evaluate it in all of them
                 const std::lock_guard<std::mutex> lock(stopMutex_);
                 return evaluator_.stopped();
             });
@@ -253,7 +253,7 @@ namespace ompl_mfa::engine::guides
         const bool searched = status == ob::PlannerStatus::TIMEOUT ||
                               status == ob::PlannerStatus::APPROXIMATE_SOLUTION ||
                               status == ob::PlannerStatus::EXACT_SOLUTION;
-        // one that had a turn already may only be unable to go on
+        // a planner that already had a turn may only be unable to continue
         if (!searched && fresh)
         {
             refusedStarts_ = context().query.starts().size();

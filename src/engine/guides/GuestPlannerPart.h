@@ -52,13 +52,13 @@
 
 namespace ompl_mfa::engine::guides
 {
-    /** \brief Any other planner as a guide: it goes on in each turn from where it stopped, on a problem definition of
-       its own with the query's starts, goals and objective. One that returns before its turn is over has done what it
-       can do, as planners do that end with their first path: it is cleared and restarts. Until it has
-       a path its turns become longer, for planners that cannot go on where they stopped.
+    /** \brief Any other planner as a guide: in each turn it resumes its search, on its own problem definition with
+       the query's starts, goals and objective. A planner that returns before its turn is over, as those do that end
+       with their first path, is cleared and restarted. Until it has a path its turns become longer, for planners
+       that cannot resume.
 
-        Its work is counted in state checks, for which it gets a space information of its own that counts and otherwise
-        asks the evaluator's, and in looks at its termination condition. */
+       Its work is counted in state checks, by its own space information that forwards to the evaluator's, and in
+       evaluations of its termination condition. */
     class GuestPlannerPart : public GuidePart
     {
     public:
@@ -68,10 +68,11 @@ namespace ompl_mfa::engine::guides
         Share firstShare() const override;
         Share improvementShare(double seconds) const override;
 
-        /** \brief Idle once the planner refused the query as it is. */
+        /** \brief Idle once the planner has rejected the present query. */
         Readiness readiness() const override;
 
-        /** \brief A path that does not hold, to the evaluator or as an answer to the query, is passed over. */
+        /** \brief As in GuidePart. Paths that the evaluator finds invalid, or that do not solve the query, are
+            ignored. */
         bool search(double bound, std::uint64_t work, path::Waypoints &path) override;
 
     private:
@@ -82,17 +83,17 @@ namespace ompl_mfa::engine::guides
         bool holds(const path::Waypoints &path);
 
         path::PathEvaluator &evaluator_;
-        std::shared_ptr<std::atomic<std::uint64_t>> checked_;  ///< states that the planner had checked in this turn
-        std::mutex stopMutex_;  ///< held while a thread of the planner asks whether to stop
+        std::shared_ptr<std::atomic<std::uint64_t>> checked_;  ///< states checked by the planner in this turn
+        std::mutex stopMutex_;  ///< held while the planner evaluates its termination condition
         ompl::base::SpaceInformationPtr si_;
         std::shared_ptr<ompl::base::GoalStates> goals_;
         ompl::base::ProblemDefinitionPtr pdef_;
         ompl::base::PlannerPtr planner_;
-        bool fresh_{true};                       ///< whether it has had no turn since it began
-        bool returnedEarly_{false};              ///< from the last turn
+        bool fresh_{true};                       ///< whether the planner had no turn since it was made or cleared
+        bool returnedEarly_{false};              ///< whether it returned early in its last turn
         std::uint64_t fruitless_{0};             ///< work since its last path
-        std::optional<ompl::base::Cost> taken_;  ///< cost of the best path that was taken since it was last cleared
-        std::size_t refusedStarts_{0};           ///< how many states there were when it refused the query
+        std::optional<ompl::base::Cost> taken_;  ///< cost of its best path since it was last cleared
+        std::size_t refusedStarts_{0};           ///< number of starts when it rejected the query
         std::size_t refusedGoals_{0};
     };
 }  // namespace ompl_mfa::engine::guides

@@ -41,8 +41,8 @@
 
 namespace ompl_mfa::engine::guides
 {
-    /** \brief A part that finds paths of all homotopy classes, those included that fireflies on straight axes cannot
-        express. */
+    /** \brief A part that finds paths of all homotopy classes, including those that slices across a straight axis
+        cannot express. */
     class GuidePart : public SearchPart
     {
     public:
@@ -50,10 +50,10 @@ namespace ompl_mfa::engine::guides
 
         void advance(std::uint64_t work, Findings &findings) final;
 
-        /** \brief Searches for about \e work units of PathEvaluator::work(). Returns true as soon as it has a path,
-           then in \e path, from one of the query's starts to one of its goals with all motions checked; the next call
-           goes on from there. \e bound is the cost that a path should beat in the end (infinite before there is one).
-         */
+        /** \brief Searches with a budget of about \e work units of PathEvaluator::work(). Returns true as soon as it
+           has a path, then in \e path, from a start to a goal of the query with all motions checked; the next call
+           resumes the search. \e bound is the cost that a path should be better than after tightening (infinity before
+           there is one). */
         virtual bool search(double bound, std::uint64_t work, path::Waypoints &path) = 0;
     };
 }  // namespace ompl_mfa::engine::guides

@@ -43,7 +43,7 @@ namespace ompl_mfa::engine::guides
 {
     namespace
     {
-        /* Numbers that all of them have together: two matrices and two foci each. */
+        /* Maximum total of stored numbers; a hyperspheroid has two matrices and two foci. */
         constexpr std::size_t NUMBERS = 1000000;
         constexpr std::size_t FEWEST = 16;
         constexpr std::size_t MOST = 4096;

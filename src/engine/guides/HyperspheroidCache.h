@@ -46,27 +46,26 @@
 
 namespace ompl_mfa::engine::guides
 {
-    /** \brief Prolate hyperspheroids of pairs of foci. To make one takes a singular value decomposition, d^3 operations
-        in R^d, so that those of up to some thousand pairs are kept; their memory is bounded, by some megabytes. */
+    /** \brief Prolate hyperspheroids by pairs of foci. Making one takes a singular value decomposition, d^3 operations
+        in R^d, so those of up to some thousand pairs are kept, in at most a few megabytes. */
     class HyperspheroidCache
     {
     public:
         /** \brief \e dimension >= 2 is the number of coordinates of a focus. */
         explicit HyperspheroidCache(Eigen::Index dimension);
 
-        /** \brief The hyperspheroid of \e focus1 and \e focus2, whose pair has the number \e pair. One is made where
-            none is kept of a pair of this number and these foci. */
+        /** \brief The hyperspheroid with foci \e focus1 and \e focus2, the pair with index \e pair. It is made unless
+            the one kept for this index has the same foci. */
         const ompl::ProlateHyperspheroidPtr &of(std::size_t pair, const Eigen::VectorXd &focus1,
                                                 const Eigen::VectorXd &focus2);
 
-        /** \brief How many are kept. */
+        /** \brief Number of hyperspheroids kept. */
         std::size_t size() const
         {
             return size_;
         }
 
-        /** \brief How many are kept at the most. Pairs of consecutive numbers, no more than these, do not displace each
-            other. */
+        /** \brief Maximum of size(). Up to this many pairs with consecutive indices do not displace each other. */
         std::size_t capacity() const
         {
             return capacity_;

@@ -60,8 +60,8 @@ namespace ompl_mfa::engine::guides
     {
         constexpr unsigned int TRIES = 20;
 
-        /* Whether the distance of the space is never below the Euclidean distance of all its scaled positions together:
-           true of OMPL's own spaces, unknown of a space that a user derived from them. */
+        /* Whether the space's distance is never less than the Euclidean distance of all its scaled positions together.
+           True for OMPL's own spaces, unknown for types derived from them. */
         bool boundedByPositions(const ob::StateSpace &space)
         {
             if (path::isExactly<ob::RealVectorStateSpace, ob::SO2StateSpace, ob::SO3StateSpace>(space))
@@ -86,8 +86,8 @@ namespace ompl_mfa::engine::guides
             return true;
         }
 
-        /* Whether the user has set a sampler on the space or a part of it. OMPL does not say, but the one that it
-           allocates is then of another type than its default. */
+        /* Whether the user has set a sampler on the space or on a subspace. OMPL does not report it, but the allocated
+           sampler is then of another type than the default one. */
         bool hasSamplerOfUser(const ob::StateSpace &space)
         {
             const ob::StateSamplerPtr set = space.allocStateSampler();
@@ -126,7 +126,7 @@ namespace ompl_mfa::engine::guides
     {
     }
 
-    /* Ends that were given up with a bound are taken up again with a worse one. */
+    /* Ends that were excluded by one bound are included again under a worse one. */
     void InformedSampler::takeUpEnds(const path::Waypoints &starts, const path::Waypoints &goals, double bound)
     {
         pairs_.update(starts, goals);
@@ -149,7 +149,7 @@ namespace ompl_mfa::engine::guides
         bound_ = bound;
     }
 
-    /* Ends that cannot be on a better path are given up when they are drawn. */
+    /* Ends that cannot be on a better path are excluded when they are drawn. */
     bool InformedSampler::pickPair(double bound, std::uint32_t &start, std::uint32_t &goal)
     {
         const auto pick = [this](std::vector<std::uint32_t> &ends, const auto &canBeat, std::uint32_t &end)

@@ -51,32 +51,32 @@
 
 namespace ompl_mfa::engine::guides
 {
-    /** \brief Draws states through which a path better than a given cost can lead, as far as the bounds tell (the
-        informed set).
+    /** \brief Draws states through which a path better than a given cost can lead, by the lower bounds (the informed
+        set).
 
-        With several starts and goals each sample is drawn for a pair of them, at random among those that can still be
-        on a better path: all the informed sets have their share, and together they are the informed set.
+        With several starts and goals each sample is drawn for a random pair among those that can still be on a
+        better path; the informed set is the union of the pairs' informed sets.
 
         Where the objective is path length over the standard metrics, positions are drawn directly from the prolate
-        hyperspheroid of the pair; elsewhere uniform states are rejected by the heuristic. Random numbers come from a
-        generator of its own, so that the same seed gives the same states.
+        hyperspheroid of the pair; otherwise uniform samples are rejected by the heuristic. It has its own random
+        number generator, so that the same seed gives the same states.
 
-        Where the user has set a StateSamplerAllocator on the space, or on a subspace of it, every other state is drawn
-        by a sampler that the space allocates, brought back within the bounds, and rejected by the heuristic as any
-        other; whether it is the same for the same seed is up to that sampler. */
+        Where the user has set a StateSamplerAllocator on the space, or on a subspace of it, every other state is
+        drawn by that sampler, brought within the bounds, and rejected by the heuristic like any other; whether it
+        repeats for the same seed depends on that sampler. */
     class InformedSampler
     {
     public:
-        /** \brief \e bounds outlives the object. */
+        /** \brief \e bounds must outlive the object. */
         InformedSampler(path::StateChartPtr chart, const path::CostBounds &bounds, std::uint_fast32_t seed);
 
         /** \brief Draws \e state such that the heuristic cost through it, from one of \e starts to one of \e goals, is
-            better than \e bound (infinite: any state). False if no such state was found in a few tries. States may
-            only be appended to \e starts and \e goals from one call to the next. */
+            better than \e bound (infinity: any state). False if no such state was found in a few tries. Between calls,
+            states may only be appended to \e starts and \e goals. */
         bool sample(const path::Waypoints &starts, const path::Waypoints &goals, double bound,
                     ompl::base::State *state);
 
-        /** \brief What a path through the state drawn last costs at the least; no number where it was not asked. */
+        /** \brief A lower bound of the cost of paths through the last state drawn; NaN if it was not computed. */
         double lowerBound() const
         {
             return lowerBound_;
@@ -98,13 +98,13 @@ namespace ompl_mfa::engine::guides
         path::StateChartPtr chart_;
         const path::CostBounds &bounds_;
         ompl::RNG rng_;
-        ompl::base::StateSamplerPtr users_;  ///< null where the user has set none
+        ompl::base::StateSamplerPtr users_;  ///< null unless the user has set one
         bool usersTurn_{false};
         bool direct_;
         double lowerBound_;
         PairBounds pairs_;
-        double bound_;                       ///< with which the ends below were last asked for
-        std::vector<std::uint32_t> starts_;  ///< that can still be on a better path
+        double bound_;                       ///< bound by which the ends below were last selected
+        std::vector<std::uint32_t> starts_;  ///< those that can be on a better path
         std::vector<std::uint32_t> goals_;
         std::size_t takenStarts_{0};
         std::size_t takenGoals_{0};

@@ -53,20 +53,19 @@ namespace ompl_mfa::engine::guides
 {
     namespace
     {
-        /* A raw path of the roadmap may be this much worse than the best tightened one and still be worth tightening.
-         */
+        /* A raw path of the roadmap is tightened if it costs at most this factor times the best path. */
         constexpr double SLACK = 1.15;
-        /* Search of the nearest neighbours, in state checks for each of them. */
+        /* Work of a nearest-neighbour query, in state checks per neighbour. */
         constexpr std::uint64_t NEIGHBOUR_WORK = 4;
         constexpr std::size_t FIRST_BATCH = 50;
-        /* The roadmap is pruned when one of so many vertices is useless. */
+        /* The roadmap is pruned when one vertex in this many is useless. */
         constexpr std::size_t USELESS_SHARE = 4;
-        /* The capacity doubles after 2^8 - 1 renewals, is three times as much after 2^16 - 1, ... */
+        /* The capacity is twice the first one after 2^8 - 1 renewals, three times after 2^16 - 1, ... */
         constexpr double RENEWAL_DOUBLINGS = 8.0;
-        /* Vertices handled between two evaluations of the stop condition. */
+        /* Vertices processed between two evaluations of the stop condition. */
         constexpr std::size_t VERTICES_BETWEEN_STOPS = 16;
 
-        /* Work and time (s) of the trees before the roadmap begins, where there is no path yet. */
+        /* Work and time (s) of the trees before the roadmap begins if there is no path yet. */
         constexpr std::uint64_t FIRST_TREES = 14000;
         constexpr double FIRST_TREES_TIME = 0.01;
 
@@ -174,7 +173,7 @@ namespace ompl_mfa::engine::guides
         }
     }
 
-    /* A path is worth having if it is a better one of the roadmap and not much worse than the best tightened one. */
+    /* A path is useful if it improves on the roadmap's best one and is not much worse than the best tightened one. */
     double RoadmapPart::searchBound(double bound) const
     {
         const auto &objective = *evaluator_.objective();
@@ -182,14 +181,14 @@ namespace ompl_mfa::engine::guides
         {
             return evaluator_.withSlack(bound, SLACK);
         }
-        // what beats a path of infinite cost is what beats the worst of all finite ones
+        // a path better than one of infinite cost has to beat the worst finite cost
         const double best = objective.isFinite(ob::Cost(best_)) ? best_ : path::worstFiniteCost(objective);
         const double slack = evaluator_.withSlack(bound, SLACK);
         return !std::isinf(bound) && objective.isCostBetterThan(ob::Cost(slack), ob::Cost(best)) ? slack : best;
     }
 
-    /* Whether a path better than the bound may lead through a vertex; all pairs of start and goal are asked only once
-       the one that it was drawn for does not promise so any more. */
+    /* Whether a path better than the bound may lead through a vertex. The other pairs of start and goal are only
+       examined once the pair that it was drawn for is excluded. */
     bool RoadmapPart::isUseful(std::size_t vertex, double bound)
     {
         const Query &query = context().query;
@@ -221,7 +220,7 @@ namespace ompl_mfa::engine::guides
         return bounds.canBeat(promise.lowerBound, bound);
     }
 
-    /* Removes the vertices that no better path can lead through, if they are many. False if interrupted. */
+    /* Removes the vertices through which no better path can lead, if there are many. False if interrupted. */
     bool RoadmapPart::prune(double bound)
     {
         if (std::isinf(bound) || bound == pruned_ || !evaluator_.bounds().admissible())
@@ -263,7 +262,8 @@ namespace ompl_mfa::engine::guides
         return true;
     }
 
-    /* Puts back what was not removed, before any vertex is added. False if interrupted. */
+    /* Reinserts the remaining vertices into the nearest-neighbour structure, before any vertex is added. False if
+       interrupted. */
     bool RoadmapPart::indexVertices()
     {
         for (; indexed_ < graph_.size(); ++indexed_)
@@ -278,7 +278,7 @@ namespace ompl_mfa::engine::guides
         return true;
     }
 
-    /* Before another batch: what is useless is removed, or all where there is no room left. False if interrupted. */
+    /* Before another batch: prunes, or drops the roadmap if there is no room left. False if interrupted. */
     bool RoadmapPart::makeRoom(double bound)
     {
         if (!prune(searchBound(bound)))
@@ -314,7 +314,7 @@ namespace ompl_mfa::engine::guides
         {
             return Readiness::Idle;
         }
-        // where checks are cheap, their number says little
+        // if checks are cheap, their number says little about the time
         const bool early = afterTrees_ && !context().incumbent.hasFinitePath() &&
                            (evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME);
         return early ? Readiness::Waiting : Readiness::Ready;

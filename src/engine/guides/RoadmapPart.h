@@ -53,22 +53,24 @@
 namespace ompl_mfa::engine::guides
 {
     /** \brief A roadmap that grows within the informed set, batch by batch, and is searched lazily after each batch.
-        Every state is joined to its k nearest, k growing with the logarithm of their number as PRM* has it.
+        Each state is joined to its k nearest neighbours, with k growing with the logarithm of the number of states
+        as in PRM*.
 
-        Its memory is bounded. When a better path has made a part of it useless, that part is removed. When it has
-        reached its capacity, counted in edges, and holds no better path, it is dropped, and a new one is begun in the
-        informed set as it then is; the capacity grows with the logarithm of how often that happened, without end, so
-        that the best path through the roadmaps converges to the optimum almost surely; see docs/planner.md.
+        Its memory is bounded. States that a better path has made useless are pruned. A roadmap that has reached its
+        capacity, counted in edges, and contains no better path is replaced by a new one in the present informed set.
+        The capacity grows with the logarithm of the number of renewals, without limit, so that the best path through
+        the roadmaps converges to the optimum almost surely; see docs/planner.md.
 
         S. Karaman and E. Frazzoli, Sampling-based algorithms for optimal motion planning, IJRR 30(7), 2011. */
     class RoadmapPart : public GuidePart
     {
     public:
-        /** \brief Directed edges of the first roadmap; some 40 bytes each, with their share of the vertices. */
+        /** \brief Capacity of the first roadmap in directed edges; each takes some 40 bytes, with its share of the
+            vertices. */
         static constexpr std::size_t CAPACITY = 400000;
 
-        /** \brief \e afterTrees says whether trees should search for a first path before the roadmap does. \e capacity
-            >= 1 is that of the first roadmap, in directed edges. */
+        /** \brief \e afterTrees is whether the trees search for a first path before the roadmap does. \e capacity >= 1
+            is the first roadmap's, in directed edges. */
         RoadmapPart(const SearchContext &context, bool afterTrees, std::size_t capacity = CAPACITY);
         ~RoadmapPart() override;
         RoadmapPart(const RoadmapPart &) = delete;
@@ -79,17 +81,17 @@ namespace ompl_mfa::engine::guides
         Readiness readiness() const override;
         bool search(double bound, std::uint64_t work, path::Waypoints &path) override;
 
-        /** \brief The roadmap as it is: all its states, and the motions that searches needed and found valid. */
+        /** \brief Appends all states of the roadmap, and the motions that searches found valid. */
         void explain(SearchGraph &graph) const override;
 
     private:
-        /* What a path through a vertex costs at the least. Exact for so many starts and goals: for none it is that of
-           the pair for which the state was drawn, and others may promise better. */
+        /* Lower bound of the cost of paths through a vertex. It covers the given numbers of starts and goals; if these
+           are 0, only the pair for which the state was drawn. */
         struct Promise
         {
             double lowerBound;
-            double to;    ///< the best over the starts
-            double from;  ///< the best over the goals
+            double to;    ///< best bound over the starts
+            double from;  ///< best bound over the goals
             std::uint32_t starts;
             std::uint32_t goals;
         };
@@ -110,21 +112,21 @@ namespace ompl_mfa::engine::guides
         path::PathEvaluator &evaluator_;
         InformedSampler sampler_;
         graph::LazyGraph graph_;
-        std::vector<Promise> promises_;  ///< of each vertex
+        std::vector<Promise> promises_;  ///< for each vertex
         std::shared_ptr<ompl::NearestNeighbors<std::size_t>> nearest_;
-        std::size_t indexed_{0};  ///< vertices in nearest_
+        std::size_t indexed_{0};  ///< number of vertices in nearest_
         std::vector<std::size_t> neighbours_;
         std::size_t firstCapacity_;
         std::size_t renewals_{0};
-        std::size_t starts_{0};  ///< how many of the query's states are in the graph
+        std::size_t starts_{0};  ///< number of the query's starts in the graph
         std::size_t goals_{0};
-        std::size_t endEdges_{0};  ///< edges that came with them, which do not count
+        std::size_t endEdges_{0};  ///< edges added with starts and goals, which do not count toward the capacity
         std::size_t batch_{0};
-        std::size_t missing_{0};  ///< states of the current batch yet to be drawn
+        std::size_t missing_{0};  ///< states of the current batch still to be drawn
         bool exhausted_{false};   ///< whether the next batch is due
-        bool found_{false};       ///< whether the graph has had a path
-        double best_{0.0};        ///< cost of the best one
-        double pruned_;           ///< bound with which the graph was last pruned
+        bool found_{false};       ///< whether a path was found in the graph
+        double best_{0.0};        ///< cost of the best path in the graph
+        double pruned_;           ///< bound at the last pruning
         ompl::base::State *sample_;
     };
 }  // namespace ompl_mfa::engine::guides

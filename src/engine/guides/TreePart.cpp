@@ -50,11 +50,11 @@ namespace ompl_mfa::engine::guides
 {
     namespace
     {
-        /* Longest motion of a tree, in parts of the space's extent; OMPL's own default. */
+        /* Longest motion of a tree, as a fraction of the space's extent; OMPL's default. */
         constexpr double RANGE = 0.2;
-        /* The trees begin to improve a path after this many times the time that it took. */
+        /* The trees begin to improve the first path after this many times the time that it took. */
         constexpr double DELAY = 6.7;
-        /* Search of a nearest neighbour, in state checks. */
+        /* Work of a nearest-neighbour query, in state checks. */
         constexpr std::uint64_t NEIGHBOUR_WORK = 8;
     }  // namespace
 
@@ -72,7 +72,7 @@ namespace ompl_mfa::engine::guides
         {
             tree->nearest.reset(ompl::tools::SelfConfig::getDefaultNearestNeighbors<Vertex *>(&context.owner));
         }
-        // distances are taken along the motions of each tree, away from the start or toward the goal
+        // distances are measured in the direction of the motions: away from the start, toward the goal
         startTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
                                                 { return chart_->distance(a->state, b->state); });
         goalTree_.nearest->setDistanceFunction([this](const Vertex *a, const Vertex *b)
@@ -147,7 +147,7 @@ namespace ompl_mfa::engine::guides
             evaluator_.addDistances(neighbourDistances(*chart_->space(), tree.vertices.size()));
             return tree.nearest->nearest(&probe_);
         }
-        // nearest-neighbour structures take distances to be symmetric
+        // nearest-neighbour structures assume a symmetric distance
         const auto distance = [&](const std::unique_ptr<Vertex> &vertex)
         { return fromStart ? chart_->distance(vertex->state, state) : chart_->distance(state, vertex->state); };
         evaluator_.addWork(tree.vertices.size());
@@ -201,7 +201,7 @@ namespace ompl_mfa::engine::guides
             path.append(fromStart->state);
         }
         path.reverse();
-        // both trees hold the state at which they met
+        // both trees contain the state at which they met
         for (fromGoal = fromGoal->parent; fromGoal != nullptr; fromGoal = fromGoal->parent)
         {
             path.append(fromGoal->state);
@@ -263,7 +263,7 @@ namespace ompl_mfa::engine::guides
         {
             return false;
         }
-        // only now: until then the trees show what found the path
+        // not earlier, so that planner data shows the trees that found the path
         if (metFromStart_ != nullptr)
         {
             restart();
@@ -306,7 +306,7 @@ namespace ompl_mfa::engine::guides
         };
         const std::size_t firstOfStart = add(startTree_, true);
         const std::size_t firstOfGoal = add(goalTree_, false);
-        // both trees have the state at which they met; the motion on from there joins them
+        // both trees contain the meeting state; its motion onward joins them
         if (metFromStart_ != nullptr && metFromGoal_->parent != nullptr)
         {
             graph.edges.emplace_back(firstOfStart + metFromStart_->number, firstOfGoal + metFromGoal_->parent->number);

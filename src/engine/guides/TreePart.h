@@ -50,13 +50,13 @@
 
 namespace ompl_mfa::engine::guides
 {
-    /** \brief Two trees, from the starts and from the goals, that grow toward each other (RRT-Connect); once they met,
-        they restart within the informed set, so that other homotopy classes get their chance. Starts and goals that
-        cannot be on a better path are no roots then.
+    /** \brief Two trees, from the starts and from the goals, that grow toward each other (RRT-Connect); once they
+        have met, they restart within the informed set, where they may find other homotopy classes. Starts and goals
+        that cannot be on a better path are then no longer roots.
 
         J. J. Kuffner and S. M. LaValle, RRT-Connect: An efficient approach to single-query path planning, ICRA 2000.
-        It is not a call of OMPL's planner because it has to draw its states from the seed of the run, to stop between
-        two motion checks, and to count its work. */
+        OMPL's planner is not used because states have to be drawn from the seed of the run, the search has to stop
+        between two motion checks, and its work has to be counted. */
     class TreePart : public GuidePart
     {
     public:
@@ -70,7 +70,7 @@ namespace ompl_mfa::engine::guides
         Readiness readiness() const override;
         bool search(double bound, std::uint64_t work, path::Waypoints &path) override;
 
-        /** \brief Both trees; once they have met, until the next turn, with the motion that joins them. */
+        /** \brief Appends both trees; after they have met, and until the next turn, with the motion that joins them. */
         void explain(SearchGraph &graph) const override;
 
     private:
@@ -78,14 +78,14 @@ namespace ompl_mfa::engine::guides
         {
             ompl::base::State *state;
             const Vertex *parent;
-            std::size_t number;  ///< in its tree
+            std::size_t number;  ///< index in its tree
         };
 
         struct Tree
         {
             std::shared_ptr<ompl::NearestNeighbors<Vertex *>> nearest;
             std::vector<std::unique_ptr<Vertex>> vertices;
-            std::size_t offered{0};  ///< how many of the query's states it was given to choose its roots from
+            std::size_t offered{0};  ///< number of the query's states already considered as roots
         };
 
         enum class Extension
@@ -109,7 +109,7 @@ namespace ompl_mfa::engine::guides
         InformedSampler sampler_;
         Tree startTree_;
         Tree goalTree_;
-        const Vertex *metFromStart_{nullptr};  ///< where the trees have met, the same state in both
+        const Vertex *metFromStart_{nullptr};  ///< where the trees met: the same state in both
         const Vertex *metFromGoal_{nullptr};
         bool startsTurn_{true};
         double range_;

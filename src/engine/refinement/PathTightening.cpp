@@ -48,25 +48,25 @@ namespace ompl_mfa::engine::refinement
     {
         /* More vertices cost more than they gain: each has to be moved, and each motion checked. */
         constexpr std::size_t MAX_VERTICES = 48;
-        /* A round that gains less than this part of the cost is idle. */
+        /* A round that gains less than this fraction of the cost counts as idle. */
         constexpr double IDLE_GAIN = 1e-5;
         constexpr unsigned int IDLE_ROUNDS = 4;
         constexpr unsigned int IDLE_ROUNDS_A_DIMENSION = 2;
-        /* Steps of all kinds in a round for each vertex that can move. */
+        /* Steps per round for each vertex that can move. */
         constexpr std::size_t STEPS_A_VERTEX = 6;
-        /* What a step still counts for in the payoff of its kind after another one. */
+        /* Factor by which the weight of a step in the payoff of its kind decays with each later step. */
         constexpr double PAYOFF_MEMORY = 0.95;
-        /* Share of the steps that each kind has at the least. */
+        /* Lower bound of the share of steps of each kind. */
         constexpr double PAYOFF_FLOOR = 0.08;
-        /* How far a vertex stays away from where it would be blocked, in parts of the distance between two states of a
-           motion check. */
+        /* Distance that a vertex keeps from where it would be blocked, as a fraction of the distance between two states
+           of a motion check. */
         constexpr double MARGIN = 0.125;
-        /* Moves of a vertex after a blocked one that have to keep the margin: where nothing is in the way it is not
-           looked for. */
+        /* Number of moves after a blocked one for which a vertex has to keep the margin; elsewhere the margin is not
+           checked. */
         constexpr unsigned int CAUTION = 2;
-        /* First random step of a vertex, in parts of the distance to the nearer neighbour. */
+        /* First random step of a vertex, as a fraction of the distance to the nearer neighbour. */
         constexpr double FIRST_STEP = 0.25;
-        /* Random steps are tried on cost this often before one is checked for validity. */
+        /* Number of random steps that may be evaluated for cost until one is checked for validity. */
         constexpr unsigned int COST_TRIES = 4;
     }  // namespace
 
@@ -130,12 +130,12 @@ namespace ompl_mfa::engine::refinement
                 converged_ = idleRounds_ >= (refined ? 3 * enough : enough);
             }
         }
-        // a corner may have been cut since the last round
+        // compared with the first cost: a corner may have been cut since the last round
         return evaluator_.objective()->isCostBetterThan(cost(), first);
     }
 
-    /* What a step from one cost to another gained. Nothing is known of what lies between two infinite costs; a path
-       that comes to have a finite one gained as much as is left of it. */
+    /* The gain of a step. Between two infinite costs it is unknown; from an infinite to a finite one it is the
+       remaining cost. */
     double PathTightening::gain(double before, double after)
     {
         if (!std::isfinite(after))
@@ -151,17 +151,17 @@ namespace ompl_mfa::engine::refinement
             costs_.begin(), costs_.end(), [this](ob::Cost cost) { return !evaluator_.objective()->isFinite(cost); }));
     }
 
-    /* A single motion is all that there can be, unless it costs too much. */
+    /* A single motion cannot be improved unless its cost is infinite. */
     bool PathTightening::canImprove() const
     {
         return path_.size() > 2 || infiniteMotions() > 0;
     }
 
-    /* Which step pays depends on the world and on how far the path has come: each is tried as often as it gained for
-       its recent work, and now and then for the sake of change. */
+    /* Which kind of step pays depends on the world and on the progress so far: each is chosen in proportion to its
+       recent gain for its work, but never less often than a lower bound. */
     void PathTightening::round()
     {
-        // candidates that fail on cost alone never come to a motion check, which would ask
+        // candidates rejected on cost alone never reach a motion check, which would ask the stop condition
         const auto exhausted = [this] { return evaluator_.work() >= workLimit_ || evaluator_.stopped(); };
         removeVertices();
         bendInfiniteMotions();
@@ -262,7 +262,7 @@ namespace ompl_mfa::engine::refinement
                                  FIRST_STEP * spacing / std::sqrt(static_cast<double>(chart_->dimension()))));
     }
 
-    /* The motion that led past the new vertex is replaced by two, which cost \e before and \e after. */
+    /* Replaces the motion that passes the new vertex by two, which cost \e before and \e after. */
     void PathTightening::insertVertex(std::size_t i, const ob::State *state, ob::Cost before, ob::Cost after)
     {
         path_.insert(i, state);
@@ -271,7 +271,7 @@ namespace ompl_mfa::engine::refinement
         steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(i), firstStep(i));
     }
 
-    /* The motions to and from the vertices are replaced by one, which costs \e joined. */
+    /* Replaces the motions to and from the vertices by one, which costs \e joined. */
     void PathTightening::eraseVertices(std::size_t first, std::size_t last, ob::Cost joined)
     {
         path_.erase(first, last);
@@ -295,7 +295,7 @@ namespace ompl_mfa::engine::refinement
 
     bool PathTightening::remove(std::size_t i)
     {
-        // where the chord is far better than the corner, it is blocked more often than not: ask for it rarely
+        // where the chord is far better than the corner, it is probably blocked: try it rarely
         ob::Cost chord;
         if (!evaluator_.motionCost(path_[i - 1], path_[i + 1], chord))
         {
@@ -331,8 +331,8 @@ namespace ompl_mfa::engine::refinement
         }
     }
 
-    /* Leads a motion of infinite cost over a vertex beside it, as far away as the motion is long at the most, so that
-       at least one of the two motions that replace it costs no more than a finite amount. */
+    /* Leads a motion of infinite cost over a new vertex beside it, at most as far away as the motion is long, so that
+       at least one of the two new motions has a finite cost. */
     bool PathTightening::bend(std::size_t i)
     {
         const auto &objective = evaluator_.objective();
@@ -368,7 +368,7 @@ namespace ompl_mfa::engine::refinement
         return false;
     }
 
-    /* Joins two points of the path, vertices or points within motions, by one motion. */
+    /* Joins two points of the path, vertices or points on motions, by one motion. */
     bool PathTightening::shortcut()
     {
         const auto &space = chart_->space();
@@ -386,7 +386,7 @@ namespace ompl_mfa::engine::refinement
         }
         const auto first = static_cast<std::size_t>(i);
         const auto last = static_cast<std::size_t>(j);
-        // half of the shortcuts begin or end in a vertex, which adds no new one
+        // half of the shortcuts begin or end at a vertex, so that no new one is added there
         const bool fromVertex = rng_.uniform01() < 0.5 || path_.size() >= MAX_VERTICES;
         const bool toVertex = rng_.uniform01() < 0.5 || path_.size() >= MAX_VERTICES;
         if (fromVertex && toVertex && last == first + 1 && last == path_.size() - 1)
@@ -445,8 +445,8 @@ namespace ompl_mfa::engine::refinement
         return true;
     }
 
-    /* Whether the motion a_ -> b_ is valid, and those that join it to the path \e before and \e after, where they are
-       needed. */
+    /* Whether the motion a_ -> b_ is valid and, where they are needed, those that join it to the path \e before and \e
+       after. */
     bool PathTightening::checkShortcut(const ob::State *before, const ob::State *after)
     {
         if (before != nullptr && after != nullptr)
@@ -464,8 +464,7 @@ namespace ompl_mfa::engine::refinement
         return evaluator_.checkStrictly({{a_, b_}});
     }
 
-    /* Whether the motions to and from the vertex, which would cost \e before and \e after, cost less if it were at
-       \e state. */
+    /* Whether moving the vertex to \e state is better; the new motions cost \e before and \e after. */
     bool PathTightening::improves(std::size_t i, const ob::State *state, ob::Cost &before, ob::Cost &after)
     {
         const auto &objective = evaluator_.objective();
@@ -494,9 +493,8 @@ namespace ompl_mfa::engine::refinement
         return true;
     }
 
-    /* Whether the vertex could go a little beyond the state that it is to have, so that the path will not touch what
-       is in its way. The motions to the state itself are checked at twice the resolution, those beyond it need not be.
-     */
+    /* Whether the vertex could move a little beyond its new state, so that the path does not touch an obstacle. Motions
+       to the state itself are checked at twice the resolution, those beyond it at the normal one. */
     bool PathTightening::hasMargin(std::size_t i, const ob::State *state)
     {
         const unsigned int segments = std::max(1U, chart_->validSegmentCount(path_[i - 1], state));
@@ -548,9 +546,9 @@ namespace ompl_mfa::engine::refinement
         return success;
     }
 
-    /* Part of the way to the chord: one leaf, some coordinates, or all but a random direction. What blocks the way is
-       often a surface along which the vertex can slide once the step across it is left out, and a rotation that is
-       not needed unwinds while the position stays. */
+    /* Restricts the pull toward the chord to one subspace, to some coordinates, or to all directions but a random one.
+       The obstacle is often a surface along which the vertex can slide once the normal direction is left out, and
+       unneeded rotation unwinds while the position stays. */
     void PathTightening::selectPart(Step &step)
     {
         const Eigen::Index d = chart_->dimension();
@@ -651,7 +649,7 @@ namespace ompl_mfa::engine::refinement
         return false;
     }
 
-    /* Gives the path a vertex more where its detour over the chord is largest. */
+    /* Adds a vertex where the detour over the chord is largest. */
     bool PathTightening::refineWorstCorner()
     {
         if (path_.size() >= MAX_VERTICES || path_.size() < 3)
@@ -673,7 +671,7 @@ namespace ompl_mfa::engine::refinement
         return worst > 0 && cutCorner(worst);
     }
 
-    /* Replaces a vertex by two, one on each of its motions, as near to it as is needed to be valid. */
+    /* Replaces a vertex by two, one on each of its motions, as near to it as validity requires. */
     bool PathTightening::cutCorner(std::size_t i)
     {
         const auto &space = chart_->space();

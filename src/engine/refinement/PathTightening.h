@@ -56,23 +56,24 @@ namespace ompl_mfa::engine::refinement
     /** \brief Local refinement of a valid path, for any objective: shortcuts, removal of vertices, pulling a vertex
        toward the chord of its neighbours, random steps of a vertex, cutting of corners.
 
-        Each step replaces a few consecutive motions by others of better combined cost; cost is asked first, validity
-        only for what would win. A motion of infinite cost is bent, until the path's cost is finite. Every motion of the
-       resulting path was checked as it stands there. Steps of vertices adapt their size to what succeeds. */
+       Each step replaces a few consecutive motions by others of better combined cost; cost is computed first, and
+       validity checked only for an improvement. A motion of infinite cost is bent, until the path's cost is finite.
+       Every motion of the resulting path was checked as such. The steps of a vertex adapt their size to their
+       success. */
     class PathTightening
     {
     public:
-        /** \brief \e evaluator outlives the object. */
+        /** \brief \e evaluator must outlive the object. */
         PathTightening(path::StateChartPtr chart, path::PathEvaluator &evaluator, std::uint_fast32_t seed);
         ~PathTightening();
         PathTightening(const PathTightening &) = delete;
         PathTightening &operator=(const PathTightening &) = delete;
 
-        /** \brief Takes up a copy of \e path, whose motions are all valid. */
+        /** \brief Starts with a copy of \e path, whose motions must all be valid. */
         void begin(const path::Waypoints &path);
 
-        /** \brief Refines for about \e work units of PathEvaluator::work(), or until interrupted, or until there is
-            nothing to refine: one motion of finite cost. Returns whether the path's cost is better than before. */
+        /** \brief Refines with a budget of about \e work units of PathEvaluator::work(), until interrupted, or until
+            the path is one motion of finite cost. Returns whether the path is better than before. */
         bool advance(std::uint64_t work);
 
         const path::Waypoints &path() const
@@ -80,18 +81,17 @@ namespace ompl_mfa::engine::refinement
             return path_;
         }
 
-        /** \brief The cost of path(); infinite while advance() has not come to compute it. Computes the cost of no
-         * motion again. */
+        /** \brief The cost of path(), added up from known motion costs; infinite until advance() has computed them. */
         ompl::base::Cost cost() const;
 
-        /** \brief Whether the last rounds gained next to nothing. More of them still may, but rarely. */
+        /** \brief Whether the last rounds gained almost nothing. Further rounds may still gain, but rarely. */
         bool converged() const
         {
             return converged_;
         }
 
     private:
-        /* How the next steps of a vertex are made. */
+        /* Parameters of a vertex's next steps. */
         struct Step
         {
             explicit Step(VertexSearch randomSteps)
@@ -100,15 +100,15 @@ namespace ompl_mfa::engine::refinement
             }
 
             VertexSearch search;
-            double pull{0.5};          ///< part of the way to the chord
-            double partPull{1.0};      ///< the same when only some coordinates move
-            unsigned int caution{0};   ///< moves that have yet to keep a margin
+            double pull{0.5};          ///< fraction of the distance to the chord
+            double partPull{1.0};      ///< the same if only some coordinates move
+            unsigned int caution{0};   ///< moves that still have to keep the margin
             bool partWorked{false};    ///< whether mask and normal led to a better path last time
             Eigen::VectorXd mask{};    ///< 1 for each coordinate that moves
             Eigen::VectorXd normal{};  ///< direction that is left out, or zero
         };
 
-        /* The kinds of steps; also their numbers in payoffs_. */
+        /* The kinds of steps, which index payoffs_. */
         enum StepKind : std::size_t
         {
             Shortcut,
@@ -163,8 +163,8 @@ namespace ompl_mfa::engine::refinement
         path::PathEvaluator &evaluator_;
         ompl::RNG rng_;
         path::Waypoints path_;
-        std::vector<ompl::base::Cost> costs_;  ///< of the motions of path_, as many as were computed yet
-        double total_{0.0};                    ///< cost of path_ in a round
+        std::vector<ompl::base::Cost> costs_;  ///< costs of the motions of path_, as far as they are computed
+        double total_{0.0};                    ///< cost of path_ during a round
         std::array<Payoff, StepKinds> payoffs_{};
         std::vector<Step> steps_;
         ompl::base::State *a_;

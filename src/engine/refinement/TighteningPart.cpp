@@ -45,11 +45,11 @@ namespace ompl_mfa::engine::refinement
 {
     namespace
     {
-        /* Rounds of tightening that a new path gets at the most, and the work of each, in parts of the work of checking
-           the path once. */
+        /* Maximum rounds of tightening for a new path, and the work of each as a factor of the work of checking the
+           path once. */
         constexpr unsigned int ROUNDS = 8;
         constexpr std::uint64_t ROUND_FACTOR = 3;
-        /* A new path is given up once so many more rounds like the last would not make it the best. */
+        /* A new path is given up if this many more rounds like the last would not make it the best. */
         constexpr double PATIENCE = 4.0;
     }  // namespace
 
@@ -72,7 +72,7 @@ namespace ompl_mfa::engine::refinement
         return {0.30, 0.12};
     }
 
-    /* A single motion can be made no better, except around what makes its cost infinite. */
+    /* A single motion of finite cost cannot be improved. */
     Readiness TighteningPart::readiness() const
     {
         const Incumbent &incumbent = context().incumbent;
@@ -123,7 +123,7 @@ namespace ompl_mfa::engine::refinement
             {
                 break;
             }
-            // what a cost that is still infinite promises is unknown
+            // no extrapolation from an infinite cost
             const ob::Cost promised(cost.value() - PATIENCE * (before - cost.value()));
             if (k > 0 && std::isfinite(cost.value()) && !objective.isCostBetterThan(promised, rival))
             {

@@ -44,7 +44,7 @@
 
 namespace ompl_mfa::engine::refinement
 {
-    /** \brief Tightens the best path in its turns, and at once what other parts propose. */
+    /** \brief Tightens the best path in its own turns, and the paths that other parts propose at once. */
     class TighteningPart : public SearchPart, public PathRefiner
     {
     public:
@@ -55,18 +55,17 @@ namespace ompl_mfa::engine::refinement
         Readiness readiness() const override;
         void advance(std::uint64_t work, Findings &findings) override;
 
-        /** \brief A path that refine() made is tightened on from where that stopped, any other one from the
-            beginning. */
+        /** \brief Continues with the result of the last refine(), or begins with any other path. */
         void improved(const Proposal &proposal) override;
 
         const path::Waypoints &refine(const path::Waypoints &path, ompl::base::Cost &cost,
                                       ompl::base::Cost rival) override;
 
     private:
-        std::unique_ptr<PathTightening> best_;  ///< of the best path
-        std::unique_ptr<PathTightening> new_;   ///< of a path that was proposed
-        bool refined_{false};                   ///< whether what was tightened last is new_'s
-        bool stale_{false};                     ///< whether best_ has to begin with the best path
+        std::unique_ptr<PathTightening> best_;  ///< for the best path
+        std::unique_ptr<PathTightening> new_;   ///< for a proposed path
+        bool refined_{false};                   ///< whether new_ made the last result
+        bool stale_{false};                     ///< whether best_ has to restart from the best path
     };
 }  // namespace ompl_mfa::engine::refinement
 

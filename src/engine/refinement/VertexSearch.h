@@ -43,7 +43,7 @@
 
 namespace ompl_mfa::engine::refinement
 {
-    /** \brief Random steps of one vertex of a path whose distribution learns from what became of them: a (1+1)-CMA-ES
+    /** \brief Random steps of one vertex of a path with a distribution that adapts to their success: a (1+1)-CMA-ES
         that shrinks its steps across the constraints it runs into.
 
         D. V. Arnold and N. Hansen, A (1+1)-CMA-ES for constrained optimisation, GECCO 2012; its equations and
@@ -51,7 +51,7 @@ namespace ompl_mfa::engine::refinement
     class VertexSearch
     {
     public:
-        /** \brief Steps in R^d, d >= 1, of first deviation \e sigma > 0. */
+        /** \brief Steps in R^d, d >= 1, with initial standard deviation \e sigma > 0. */
         VertexSearch(Eigen::Index dimension, double sigma);
 
         double sigma() const
@@ -59,16 +59,16 @@ namespace ompl_mfa::engine::refinement
             return sigma_;
         }
 
-        /** \brief Draws a step (d). One of the three below is to tell what became of it. */
+        /** \brief Draws a step (d). One of the three functions below has to report its result. */
         void draw(ompl::RNG &rng, Eigen::Ref<Eigen::VectorXd> step);
 
-        /** \brief The step was taken: it is valid and better. */
+        /** \brief The last step was valid and better, and was made. */
         void succeeded();
 
-        /** \brief The step is no better. */
+        /** \brief The last step was no better. */
         void failed();
 
-        /** \brief The step would be better but is not valid. */
+        /** \brief The last step was better but not valid. */
         void violated();
 
     private:
