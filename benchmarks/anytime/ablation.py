@@ -117,6 +117,8 @@ def write_results(final, time, folder):
                                 "final_mark": words[cell[1]], "time_ms": 1000 * late[0], "time_mark": words[late[1]]})
     sums = []
     for variant in final.variants[1:]:
+        if not final.shares[variant]:
+            continue
         record = {"planner": variant}
         for name, comparison in (("final", final), ("time", time)):
             mean, chance = mean_share(comparison.shares[variant])
