@@ -5,14 +5,17 @@ The first has median final costs above the best cost known, in %. The second has
 10% above it that the median run of the whole planner reaches, or to the first solution. Against the column of the whole
 planner, + marks a variant that is better and - one that is worse (Mann-Whitney, two-sided, p < 0.05). The last line has how
 often a run of the variant is worse than one of the whole planner, the mean over the worlds (0.5: no difference), and
-whether that is by chance (Wilcoxon, signed ranks of the worlds, two-sided)."""
+whether that is by chance (Wilcoxon, signed ranks of the worlds, two-sided). --results writes both
+tables as CSV files."""
 
 import argparse
 import math
+import pathlib
 
 from scipy.stats import mannwhitneyu, wilcoxon
 
 from cost_over_time import LEVELS, best_cost, group, median, read_references, read_runs
+from results import write_records
 
 SIGNIFICANT = 0.05
 
@@ -37,13 +40,18 @@ def worse_share(values, whole):
     return sum((value > other) + 0.5 * (value == other) for value, other in pairs) / len(pairs)
 
 
-def overall(shares):
+def mean_share(shares):
     """Mean of the shares of all worlds, and p."""
+    differences = [share - 0.5 for share in shares if share != 0.5]
+    return sum(shares) / len(shares), wilcoxon(differences).pvalue if differences else 1.0
+
+
+def overall(shares):
+    """The same as text."""
     if not shares:
         return ""
-    differences = [share - 0.5 for share in shares if share != 0.5]
-    chance = wilcoxon(differences).pvalue if differences else 1.0
-    return f"{sum(shares) / len(shares):.2f} (p {f'{chance:.2f}' if chance >= 0.01 else '< 0.01'})"
+    mean, chance = mean_share(shares)
+    return f"{mean:.2f} (p {f'{chance:.2f}' if chance >= 0.01 else '< 0.01'})"
 
 
 def final_cost(best, _):
@@ -58,29 +66,68 @@ def time_to_level(best, whole):
     return lambda run: run.time_to(level), lambda time: f"{1000 * time:.4g}" if math.isfinite(time) else "never"
 
 
-def table(runs, references, whole, quantity):
+class Comparison:
+    """The variants' medians of one quantity in each world, and how they compare with the whole planner's."""
+
+    def __init__(self, runs, references, whole, quantity):
+        self.whole = whole
+        self.variants = list(dict.fromkeys([whole, *(run.planner for run in runs)]))
+        # of each world, a median and a mark a variant; None where there are no runs of it
+        self.cells = {}
+        self.texts = {}
+        self.shares = {variant: [] for variant in self.variants}
+        for world, same in group(runs, lambda run: run.world).items():
+            value, self.texts[world] = quantity(best_cost(references.get(world), same),
+                                                [run for run in same if run.planner == whole])
+            values = {variant: [value(run) for run in same if run.planner == variant] for variant in self.variants}
+            self.cells[world] = {variant: self.compare(variant, values) for variant in self.variants}
+
+    def compare(self, variant, values):
+        if not values[variant] or not values[self.whole]:
+            return None
+        self.shares[variant].append(worse_share(values[variant], values[self.whole]))
+        return median(values[variant]), "" if variant == self.whole else mark(values[variant], values[self.whole])
+
+    def count(self, variant, sign):
+        return sum(cells[variant] is not None and cells[variant][1] == sign for cells in self.cells.values())
+
+
+def table(comparison):
     """Header and lines of the table, the last two of which sum up each variant."""
-    variants = list(dict.fromkeys([whole, *(run.planner for run in runs)]))
-    counts = {variant: [0, 0] for variant in variants}
-    shares = {variant: [] for variant in variants}
     lines = []
-    for world, same in group(runs, lambda run: run.world).items():
-        value, text = quantity(best_cost(references.get(world), same), [run for run in same if run.planner == whole])
-        values = {variant: [value(run) for run in same if run.planner == variant] for variant in variants}
-        line = [world]
-        for variant in variants:
-            if not values[variant] or not values[whole]:
-                line.append("")
-                continue
-            sign = "" if variant == whole else mark(values[variant], values[whole])
-            counts[variant][0] += sign == "-"
-            counts[variant][1] += sign == "+"
-            shares[variant].append(worse_share(values[variant], values[whole]))
-            line.append(text(median(values[variant])) + (sign and " " + sign))
-        lines.append(line)
-    summary = [f"{worse} worse, {better} better" for worse, better in counts.values()]
-    means = [overall(shares[variant]) for variant in variants]
-    return ["world", *variants], [*lines, ["worlds", "", *summary[1:]], ["a run is worse", "", *means[1:]]]
+    for world, cells in comparison.cells.items():
+        lines.append([world, *("" if cell is None else " ".join([comparison.texts[world](cell[0]), cell[1]]).strip()
+                               for cell in cells.values())])
+    others = comparison.variants[1:]
+    summary = [f"{comparison.count(variant, '-')} worse, {comparison.count(variant, '+')} better" for variant in others]
+    means = [overall(comparison.shares[variant]) for variant in others]
+    return ["world", *comparison.variants], [*lines, ["worlds", "", *summary], ["a run is worse", "", *means]]
+
+
+def write_results(final, time, folder):
+    """ablation.csv with a row a world and variant, and ablation_summary.csv with a row a variant."""
+    words = {"": "", "-": "worse", "+": "better"}
+    records = []
+    for world, cells in final.cells.items():
+        for variant, cell in cells.items():
+            if cell is not None:
+                cost = final.texts[world](cell[0])
+                late = time.cells[world][variant]
+                records.append({"world": world, "planner": variant, "final_pct": "inf" if cost == "no path" else cost,
+                                "final_mark": words[cell[1]], "time_ms": 1000 * late[0], "time_mark": words[late[1]]})
+    sums = []
+    for variant in final.variants[1:]:
+        if not final.shares[variant]:
+            continue
+        record = {"planner": variant}
+        for name, comparison in (("final", final), ("time", time)):
+            mean, chance = mean_share(comparison.shares[variant])
+            record |= {f"{name}_worse": comparison.count(variant, "-"),
+                       f"{name}_better": comparison.count(variant, "+"), f"{name}_worse_share": mean, f"{name}_p": float(chance)}
+        sums.append(record)
+    folder.mkdir(parents=True, exist_ok=True)
+    write_records(records, folder / "ablation.csv")
+    write_records(sums, folder / "ablation_summary.csv")
 
 
 def write(header, lines):
@@ -95,12 +142,18 @@ def main():
     parser.add_argument("runs", nargs="+", help="files of runs, one JSON object a line")
     parser.add_argument("--whole", default="mfa", help="the planner that the others are variants of")
     parser.add_argument("--worlds", default=".", help="regular expression that selects worlds")
+    parser.add_argument("--results", type=pathlib.Path,
+                        help="write ablation.csv and ablation_summary.csv to this folder")
     options = parser.parse_args()
     runs = read_runs(options.runs, "cpu", options.worlds)
-    for title, quantity in (("Final cost, %", final_cost), ("Time, ms", time_to_level)):
+    final, time = (Comparison(runs, read_references(), options.whole, quantity)
+                   for quantity in (final_cost, time_to_level))
+    for title, comparison in (("Final cost, %", final), ("Time, ms", time)):
         print(f"**{title}**\n")
-        write(*table(runs, read_references(), options.whole, quantity))
+        write(*table(comparison))
         print()
+    if options.results:
+        write_results(final, time, options.results)
 
 
 if __name__ == "__main__":

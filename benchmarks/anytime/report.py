@@ -1,14 +1,15 @@
 #!/usr/bin/python3
-"""Tables of the runs that ompl_mfa_anytime made: on the terminal, as anytime.csv, and in Markdown for the docs."""
+"""Tables of the runs that ompl_mfa_anytime made: on the terminal, in Markdown, and as CSV files."""
 
 import argparse
-import csv
 import datetime
 import math
+import pathlib
 import statistics
 
 from cost_over_time import (TARGETS, geometric_mean, make_rows, order_statistic_interval, read_references, read_runs,
                             update_references)
+from results import TELLING, excess, planner_record, remarks, write_records, write_results
 
 TITLES = {"first": "first", "10pct": "10%", "5pct": "5%", "1pct": "1%", "01pct": "0.1%"}
 
@@ -33,18 +34,7 @@ def ratio(value):
 
 def percent_above(row):
     """The median of the final costs above the best cost known."""
-    return f"{100 * (row.cost / row.best - 1):.2f}" if math.isfinite(row.cost) else "-"
-
-
-def remarks(row):
-    parts = []
-    if row.failed:
-        parts.append(f"{len(row.failed)} {'/'.join(sorted(set(row.failed)))}")
-    if row.invalid:
-        parts.append(f"{row.invalid} fail check()")
-    if row.overrun:
-        parts.append(f"{row.overrun} over time")
-    return ", ".join(parts)
+    return f"{excess(row.cost, row.best):.2f}" if math.isfinite(row.cost) else "-"
 
 
 def world_cells(row, interval):
@@ -154,33 +144,6 @@ def write_markdown(rows, path, clock):
             write_table(out, WORLD_HEADER, [world_cells(row, interval=True) for row in same])
 
 
-def csv_record(row, clock):
-    low, high, coverage = order_statistic_interval([run.cost for run in row.runs])
-    record = {"world": row.world, "planner": row.planner, "runs": len(row.runs), "time_limit_s": row.limit,
-              "clock": clock, "best_cost": row.best, "success_rate": row.success, "fail_check": row.invalid,
-              "not_returned": len(row.failed), "over_time": row.overrun, "final_cost_median": row.cost,
-              "final_cost_low": low, "final_cost_high": high, "checks_median": row.checks, "floor_s": row.floor,
-              "t_1pct_over_floor": row.floors_to_1pct(), "interval_coverage": coverage}
-    for target in TARGETS:
-        low, high, _ = order_statistic_interval(row.times[target])
-        peer = row.best_peer(target)
-        speedup, bound = row.speedup(target) or ("", "")
-        record |= {f"t_{target}_s": row.median[target], f"t_{target}_low_s": low, f"t_{target}_high_s": high,
-                   f"t_{target}_reached": sum(map(math.isfinite, row.times[target])) / len(row.runs),
-                   f"t_{target}_best_peer": peer.planner if peer else "",
-                   f"t_{target}_best_peer_s": peer.median[target] if peer else "",
-                   f"t_{target}_speedup": speedup, f"t_{target}_speedup_bound": bound}
-    return {key: f"{value:.7g}" if isinstance(value, float) else value for key, value in record.items()}
-
-
-def write_csv(rows, path, clock):
-    records = [csv_record(row, clock) for row in rows]
-    with open(path, "w", encoding="utf-8", newline="") as out:
-        writer = csv.DictWriter(out, records[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(records)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("runs", nargs="+", help="files of runs, one JSON object a line")
@@ -188,6 +151,10 @@ def main():
     parser.add_argument("--worlds", default=".", help="regular expression that selects worlds")
     parser.add_argument("--csv", help="write a row a world and planner to this file")
     parser.add_argument("--markdown", help="write the tables to this file")
+    parser.add_argument("--results", type=pathlib.Path,
+                        help="write planners.csv, worlds.csv, summary.csv and curves.csv to this folder")
+    parser.add_argument("--curves", default="|".join(TELLING),
+                        help="regular expression that selects the worlds of curves.csv")
     parser.add_argument("--update-references", action="store_true", help="store the best paths found")
     options = parser.parse_args()
     runs = read_runs(options.runs, options.clock, options.worlds)
@@ -196,7 +163,10 @@ def main():
     rows = make_rows(runs, read_references())
     print_tables(rows, options.clock)
     if options.csv:
-        write_csv(rows, options.csv, options.clock)
+        write_records([planner_record(row) for row in rows], pathlib.Path(options.csv))
+    if options.results:
+        own = [row for same in own_planners(rows).values() for row in same]
+        write_results(rows, own, options.results, options.clock, options.curves)
     if options.markdown:
         write_markdown(rows, options.markdown, options.clock)
 
