@@ -62,7 +62,7 @@ namespace ompl_mfa::benchmark
             {
                 identity += fileText(findResource(config, *config.problem.world));
             }
-            if (config.problem.robotKind == RobotKind::FILE)
+            if (config.problem.robotKind == RobotKind::File)
             {
                 identity += fileText(findResource(config, config.problem.robot));
             }

@@ -384,7 +384,7 @@ namespace ompl_mfa::benchmark
                     throw InputError(config_.file.string() +
                                      ": problem.robot is missing; give a mesh or scene file, point, disc or sphere");
                 }
-                const bool isRound = kind == RobotKind::DISC || kind == RobotKind::SPHERE;
+                const bool isRound = kind == RobotKind::Disc || kind == RobotKind::Sphere;
                 const ConfigEntry *radius = find(problem_, "robot.radius");
                 if (isRound && !radius)
                 {
@@ -441,7 +441,7 @@ namespace ompl_mfa::benchmark
             {
                 const ProblemConfig &problem = config_.problem;
                 const ConfigEntry *threshold = find(problem_, "objective.threshold");
-                const bool isWeighted = problem.objective == ObjectiveKind::WEIGHTED;
+                const bool isWeighted = problem.objective == ObjectiveKind::Weighted;
                 if (threshold && !problem.objective)
                 {
                     failAt(*threshold, "a threshold needs problem.objective");

@@ -261,17 +261,17 @@ namespace ompl_mfa::benchmark
                     [](ProblemConfig &problem, std::size_t, const ConfigEntry &entry)
                     {
                         problem.robot = entry;
-                        problem.robotKind = entry.value == "point"    ? RobotKind::POINT
-                                            : entry.value == "disc"   ? RobotKind::DISC
-                                            : entry.value == "sphere" ? RobotKind::SPHERE
-                                                                      : RobotKind::FILE;
+                        problem.robotKind = entry.value == "point"    ? RobotKind::Point
+                                            : entry.value == "disc"   ? RobotKind::Disc
+                                            : entry.value == "sphere" ? RobotKind::Sphere
+                                                                      : RobotKind::File;
                     }};
         }
 
         ConfigRow<ProblemConfig> weightRow()
         {
-            static constexpr ObjectiveKind TERMS[] = {ObjectiveKind::LENGTH, ObjectiveKind::MECHANICAL_WORK,
-                                                      ObjectiveKind::PROXIMITY};
+            static constexpr ObjectiveKind TERMS[] = {ObjectiveKind::Length, ObjectiveKind::MechanicalWork,
+                                                      ObjectiveKind::Proximity};
             return {{"objective.weight.length", "objective.weight.mechanical_work", "objective.weight.proximity"},
                     positive().accepted,
                     "not in the sum",
@@ -308,21 +308,21 @@ namespace ompl_mfa::benchmark
         void addObjective(Rows<ProblemConfig> &rows)
         {
             rows.add({"objective"},
-                     oneOf<ObjectiveKind>({{"length", ObjectiveKind::LENGTH},
-                                           {"max_min_clearance", ObjectiveKind::MAX_MIN_CLEARANCE},
-                                           {"mechanical_work", ObjectiveKind::MECHANICAL_WORK},
-                                           {"weighted", ObjectiveKind::WEIGHTED}}),
+                     oneOf<ObjectiveKind>({{"length", ObjectiveKind::Length},
+                                           {"max_min_clearance", ObjectiveKind::MaxMinClearance},
+                                           {"mechanical_work", ObjectiveKind::MechanicalWork},
+                                           {"weighted", ObjectiveKind::Weighted}}),
                      &ProblemConfig::objective, "none, see below", "what the planners optimize");
             rows.add({"objective.threshold"}, finite(), &ProblemConfig::objectiveThreshold,
                      "the objective's own: the best possible", "cost at which an optimizing planner may stop");
             rows.add(weightRow());
         }
 
-        const Words<SamplerKind> SAMPLERS = {{"uniform", SamplerKind::UNIFORM},
-                                             {"gaussian", SamplerKind::GAUSSIAN},
-                                             {"obstacle_based", SamplerKind::OBSTACLE_BASED},
-                                             {"max_clearance", SamplerKind::MAX_CLEARANCE},
-                                             {"bridge_test", SamplerKind::BRIDGE_TEST}};
+        const Words<SamplerKind> SAMPLERS = {{"uniform", SamplerKind::Uniform},
+                                             {"gaussian", SamplerKind::Gaussian},
+                                             {"obstacle_based", SamplerKind::ObstacleBased},
+                                             {"max_clearance", SamplerKind::MaxClearance},
+                                             {"bridge_test", SamplerKind::BridgeTest}};
     }  // namespace
 
     const std::vector<ConfigRow<ProblemConfig>> &problemRows()

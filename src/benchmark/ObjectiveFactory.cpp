@@ -51,15 +51,15 @@ namespace ompl_mfa::benchmark
         {
             switch (kind)
             {
-                case ObjectiveKind::LENGTH:
+                case ObjectiveKind::Length:
                     break;
-                case ObjectiveKind::MAX_MIN_CLEARANCE:
+                case ObjectiveKind::MaxMinClearance:
                     return std::make_shared<ob::MaximizeMinClearanceObjective>(si);
-                case ObjectiveKind::MECHANICAL_WORK:
+                case ObjectiveKind::MechanicalWork:
                     return std::make_shared<ob::MechanicalWorkOptimizationObjective>(si);
-                case ObjectiveKind::PROXIMITY:
+                case ObjectiveKind::Proximity:
                     return std::make_shared<ProximityIntegralObjective>(si);
-                case ObjectiveKind::WEIGHTED:
+                case ObjectiveKind::Weighted:
                 {
                     auto sum = std::make_shared<ob::MultiOptimizationObjective>(si);
                     for (const auto &[term, weight] : problem.objectiveWeights)

@@ -82,7 +82,7 @@ namespace ompl_mfa::benchmark
         collision::RigidBody loadRobotOf(const BenchmarkConfig &config)
         {
             const ProblemConfig &problem = config.problem;
-            if (problem.robotKind != RobotKind::FILE)
+            if (problem.robotKind != RobotKind::File)
             {
                 return collision::RigidBody::sphere(problem.robotRadius);
             }
@@ -167,15 +167,15 @@ namespace ompl_mfa::benchmark
 
         ob::ValidStateSamplerPtr makeSampler(const ob::SpaceInformation *si, const ContextConfig &context)
         {
-            switch (context.sampler.value_or(SamplerKind::UNIFORM))
+            switch (context.sampler.value_or(SamplerKind::Uniform))
             {
-                case SamplerKind::UNIFORM:
+                case SamplerKind::Uniform:
                     break;
-                case SamplerKind::GAUSSIAN:
+                case SamplerKind::Gaussian:
                     return allocateNormalSampler<ob::GaussianValidStateSampler>(si, context);
-                case SamplerKind::OBSTACLE_BASED:
+                case SamplerKind::ObstacleBased:
                     return allocateSampler<ob::ObstacleBasedValidStateSampler>(si, context);
-                case SamplerKind::MAX_CLEARANCE:
+                case SamplerKind::MaxClearance:
                 {
                     auto sampler = allocateSampler<ob::MaximizeClearanceValidStateSampler>(si, context);
                     if (context.improveAttempts)
@@ -184,7 +184,7 @@ namespace ompl_mfa::benchmark
                     }
                     return sampler;
                 }
-                case SamplerKind::BRIDGE_TEST:
+                case SamplerKind::BridgeTest:
                     return allocateNormalSampler<ob::BridgeTestValidStateSampler>(si, context);
             }
             return allocateSampler<ob::UniformValidStateSampler>(si, context);
@@ -192,13 +192,13 @@ namespace ompl_mfa::benchmark
 
         void setSampler(const ob::SpaceInformationPtr &si, const ContextConfig &context)
         {
-            const SamplerKind kind = context.sampler.value_or(SamplerKind::UNIFORM);
+            const SamplerKind kind = context.sampler.value_or(SamplerKind::Uniform);
             const std::string refusal = "the sampler '" + samplerName(kind) + "' has no such setting; ";
-            if (context.standardDeviation && kind != SamplerKind::GAUSSIAN && kind != SamplerKind::BRIDGE_TEST)
+            if (context.standardDeviation && kind != SamplerKind::Gaussian && kind != SamplerKind::BridgeTest)
             {
                 failAt(context.standardDeviation->entry, refusal + "gaussian and bridge_test have it");
             }
-            if (context.improveAttempts && kind != SamplerKind::MAX_CLEARANCE)
+            if (context.improveAttempts && kind != SamplerKind::MaxClearance)
             {
                 failAt(context.improveAttempts->entry, refusal + "max_clearance has it");
             }

@@ -208,7 +208,7 @@ namespace ompl_mfa::collision
                             const fcl::CollisionGeometryd *b, const fcl::Transform3d &poseB,
                             const fcl::CollisionRequestd &request, fcl::CollisionResultd &result)
         {
-            static const CertifiedSolver solver;
+            static const CertifiedSolver SOLVER;
             if constexpr (std::is_same_v<A, MeshGeometry> && std::is_same_v<B, MeshGeometry>)
             {
                 fcl::detail::BVHCollide<BoundingVolume>(a, poseA, b, poseB, request, result);
@@ -216,22 +216,22 @@ namespace ompl_mfa::collision
             else if constexpr (std::is_same_v<A, MeshGeometry>)
             {
                 fcl::detail::MeshShapeCollisionTraversalNodeOBBRSS<B, CertifiedSolver> node;
-                setUpTraversal(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB, solver,
+                setUpTraversal(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB, SOLVER,
                                request, result);
                 fcl::detail::collide(&node);
             }
             else if constexpr (std::is_same_v<B, MeshGeometry>)
             {
-                fcl::detail::OcTreeBVHCollide<BoundingVolume, CertifiedSolver>(a, poseA, b, poseB, &solver, request,
+                fcl::detail::OcTreeBVHCollide<BoundingVolume, CertifiedSolver>(a, poseA, b, poseB, &SOLVER, request,
                                                                                result);
             }
             else if constexpr (std::is_same_v<B, OccupancyTree>)
             {
-                fcl::detail::OcTreeCollide<CertifiedSolver>(a, poseA, b, poseB, &solver, request, result);
+                fcl::detail::OcTreeCollide<CertifiedSolver>(a, poseA, b, poseB, &SOLVER, request, result);
             }
             else
             {
-                fcl::detail::OcTreeShapeCollide<B, CertifiedSolver>(a, poseA, b, poseB, &solver, request, result);
+                fcl::detail::OcTreeShapeCollide<B, CertifiedSolver>(a, poseA, b, poseB, &SOLVER, request, result);
             }
         }
 
@@ -239,34 +239,34 @@ namespace ompl_mfa::collision
                              const fcl::CollisionGeometryd *b, const fcl::Transform3d &poseB,
                              fcl::DistanceResultd &result)
         {
-            static const CertifiedSolver solver;
-            static const fcl::DistanceRequestd request;
+            static const CertifiedSolver SOLVER;
+            static const fcl::DistanceRequestd REQUEST;
             if constexpr (std::is_same_v<A, MeshGeometry> && std::is_same_v<B, MeshGeometry>)
             {
                 MeshDistanceNode node;
                 fcl::detail::initialize(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB,
-                                        request, result);
+                                        REQUEST, result);
                 fcl::detail::distance(&node);
             }
             else if constexpr (std::is_same_v<A, MeshGeometry>)
             {
                 fcl::detail::MeshShapeDistanceTraversalNodeOBBRSS<B, CertifiedSolver> node;
-                setUpTraversal(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB, solver,
-                               request, result);
+                setUpTraversal(node, *static_cast<const A *>(a), poseA, *static_cast<const B *>(b), poseB, SOLVER,
+                               REQUEST, result);
                 fcl::detail::distance(&node);
             }
             else if constexpr (std::is_same_v<B, MeshGeometry>)
             {
-                fcl::detail::OcTreeBVHDistance<BoundingVolume, CertifiedSolver>(a, poseA, b, poseB, &solver, request,
+                fcl::detail::OcTreeBVHDistance<BoundingVolume, CertifiedSolver>(a, poseA, b, poseB, &SOLVER, REQUEST,
                                                                                 result);
             }
             else if constexpr (std::is_same_v<B, OccupancyTree>)
             {
-                fcl::detail::OcTreeDistance<CertifiedSolver>(a, poseA, b, poseB, &solver, request, result);
+                fcl::detail::OcTreeDistance<CertifiedSolver>(a, poseA, b, poseB, &SOLVER, REQUEST, result);
             }
             else
             {
-                fcl::detail::OcTreeShapeDistance<B, CertifiedSolver>(a, poseA, b, poseB, &solver, request, result);
+                fcl::detail::OcTreeShapeDistance<B, CertifiedSolver>(a, poseA, b, poseB, &SOLVER, REQUEST, result);
             }
         }
     };

@@ -96,9 +96,9 @@ namespace ompl_mfa::collision
             }
             else if constexpr (IN_ORDER<A, B>)
             {
-                static const fcl::CollisionRequestd request;
+                static const fcl::CollisionRequestd REQUEST;
                 fcl::CollisionResultd &result = clearedResult();
-                Traversal<A, B>::collide(&a, poseA, &b, poseB, request, result);
+                Traversal<A, B>::collide(&a, poseA, &b, poseB, REQUEST, result);
                 return result.isCollision();
             }
             else

@@ -56,8 +56,8 @@ namespace ompl_mfa::collision
 
     const std::vector<PrimitiveKind> &primitiveKinds()
     {
-        static const std::vector<PrimitiveKind> kinds = kindsOf(static_cast<const Primitives *>(nullptr));
-        return kinds;
+        static const std::vector<PrimitiveKind> KINDS = kindsOf(static_cast<const Primitives *>(nullptr));
+        return KINDS;
     }
 
     const PrimitiveKind *findPrimitiveKind(const std::string &nameOrNumber)

@@ -129,13 +129,13 @@ namespace ompl_mfa::collision
         // reader for, some fifty formats; its extensions are those that an error names.
         const std::vector<FileKind> &fileKinds()
         {
-            static const std::vector<FileKind> kinds{
+            static const std::vector<FileKind> KINDS{
                 {"planning scenes", {".yaml", ".yml"}, loadPlanningScene, loadSceneRobot},
                 {"planning scenes as text", {".scene"}, loadTextScene, loadTextRobot},
                 {"OctoMaps", {".bt", ".ot"}, loadOccupancyScene, nullptr},
                 {"meshes", {".dae", ".obj", ".ply", ".stl", "others that assimp reads"}, loadMeshScene, loadMeshRobot},
             };
-            return kinds;
+            return KINDS;
         }
 
         const FileKind *findKind(const std::filesystem::path &file)

@@ -159,7 +159,7 @@ namespace ompl_mfa::optimizer
 
     const std::vector<std::string> &TestFunction::names()
     {
-        static const std::vector<std::string> allNames = []
+        static const std::vector<std::string> ALL_NAMES = []
         {
             std::vector<std::string> list;
             list.reserve(DEFINITIONS.size());
@@ -169,7 +169,7 @@ namespace ompl_mfa::optimizer
             }
             return list;
         }();
-        return allNames;
+        return ALL_NAMES;
     }
 
     Brightness TestFunction::evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness * /*rival*/)

@@ -63,8 +63,8 @@ namespace ompl_mfa::text
     private:
         static locale_t plain()
         {
-            static const locale_t made = newlocale(LC_ALL_MASK, "C", locale_t());
-            return made;
+            static const locale_t MADE = newlocale(LC_ALL_MASK, "C", locale_t());
+            return MADE;
         }
 
         locale_t before_;

@@ -83,7 +83,7 @@ namespace ompl_mfa::benchmark
                                                  "progress_interval = 0.001\n");
             EXPECT_EQ(config.problem.name, "scene");
             EXPECT_EQ(config.problem.world->value, "w.yaml");
-            EXPECT_EQ(config.problem.robotKind, benchmark::RobotKind::DISC);
+            EXPECT_EQ(config.problem.robotKind, benchmark::RobotKind::Disc);
             EXPECT_EQ(config.problem.robotRadius, 0.3);
             EXPECT_EQ(config.problem.space, StateSpaceKind::ReedsShepp);
             EXPECT_EQ(config.problem.turningRadius, 2.5);
@@ -94,11 +94,11 @@ namespace ompl_mfa::benchmark
             ASSERT_TRUE(config.problem.volume);
             EXPECT_EQ(config.problem.volume->min[1], -2.0);
             EXPECT_EQ(config.problem.volume->max[1], 20.0);
-            EXPECT_EQ(config.problem.objective, benchmark::ObjectiveKind::WEIGHTED);
+            EXPECT_EQ(config.problem.objective, benchmark::ObjectiveKind::Weighted);
             EXPECT_EQ(*config.problem.objectiveThreshold, 5.0);
             ASSERT_EQ(config.problem.objectiveWeights.size(), 2u);
-            EXPECT_EQ(config.problem.objectiveWeights[1], std::make_pair(benchmark::ObjectiveKind::PROXIMITY, 0.5));
-            EXPECT_EQ(config.problem.context.sampler, benchmark::SamplerKind::GAUSSIAN);
+            EXPECT_EQ(config.problem.objectiveWeights[1], std::make_pair(benchmark::ObjectiveKind::Proximity, 0.5));
+            EXPECT_EQ(config.problem.context.sampler, benchmark::SamplerKind::Gaussian);
             EXPECT_EQ(config.problem.context.longestValidSegmentFraction, 0.02);
             EXPECT_FALSE(config.problem.context.cellSizeFactor);
             EXPECT_EQ(config.benchmark.timeLimit, 2.0);
@@ -171,9 +171,9 @@ namespace ompl_mfa::benchmark
                       "[planner]\nproblem.sampler = gaussian\nkpiece =\nprm =\nproblem.sampler = uniform\n"
                       "kpiece.range = 2\nproblem.projection.cellsize_factor = 4\n");
             ASSERT_EQ(config.planners.size(), 2u);
-            EXPECT_EQ(config.planners[0].context.sampler, benchmark::SamplerKind::GAUSSIAN);
+            EXPECT_EQ(config.planners[0].context.sampler, benchmark::SamplerKind::Gaussian);
             EXPECT_EQ(config.planners[0].context.cellSizeFactor, 4.0);
-            EXPECT_EQ(config.planners[1].context.sampler, benchmark::SamplerKind::UNIFORM);
+            EXPECT_EQ(config.planners[1].context.sampler, benchmark::SamplerKind::Uniform);
             EXPECT_FALSE(config.planners[1].context.cellSizeFactor);
             EXPECT_FALSE(config.problem.context.sampler);
         }

@@ -113,18 +113,18 @@ namespace ompl_mfa::benchmark
 
         TEST_F(ObjectiveFactory, EachNameIsItsOwnObjective)
         {
-            EXPECT_NEAR(cost(make(ObjectiveKind::LENGTH), 1, 1, 4, 5), 5.0, 1e-12);
+            EXPECT_NEAR(cost(make(ObjectiveKind::Length), 1, 1, 4, 5), 5.0, 1e-12);
             EXPECT_TRUE(
-                std::dynamic_pointer_cast<ob::MaximizeMinClearanceObjective>(make(ObjectiveKind::MAX_MIN_CLEARANCE)));
-            EXPECT_NEAR(cost(make(ObjectiveKind::MECHANICAL_WORK), 1, 1, 4, 5), 5.0 * 1e-5, 1e-9)
+                std::dynamic_pointer_cast<ob::MaximizeMinClearanceObjective>(make(ObjectiveKind::MaxMinClearance)));
+            EXPECT_NEAR(cost(make(ObjectiveKind::MechanicalWork), 1, 1, 4, 5), 5.0 * 1e-5, 1e-9)
                 << "OMPL weighs length by 1e-5";
         }
 
         TEST_F(ObjectiveFactory, ProximityIsTheIntegralOfOneOverOnePlusClearance)
         {
             ProblemConfig problem;
-            problem.objective = ObjectiveKind::WEIGHTED;
-            problem.objectiveWeights = {{ObjectiveKind::PROXIMITY, 1.0}};
+            problem.objective = ObjectiveKind::Weighted;
+            problem.objectiveWeights = {{ObjectiveKind::Proximity, 1.0}};
             const auto objective = benchmark::makeObjective(si_, problem);
             EXPECT_NEAR(cost(objective, 0, 0, 4, 0), std::log(5.0), 5e-3);
             EXPECT_NEAR(cost(objective, 6, 0, 6, 8), 0.0, 1e-12) << "nothing is near where the clearance is infinite";
@@ -133,8 +133,8 @@ namespace ompl_mfa::benchmark
         TEST_F(ObjectiveFactory, WeightsScaleAndAddTheirTerms)
         {
             ProblemConfig problem;
-            problem.objective = ObjectiveKind::WEIGHTED;
-            problem.objectiveWeights = {{ObjectiveKind::LENGTH, 2.0}, {ObjectiveKind::PROXIMITY, 3.0}};
+            problem.objective = ObjectiveKind::Weighted;
+            problem.objectiveWeights = {{ObjectiveKind::Length, 2.0}, {ObjectiveKind::Proximity, 3.0}};
             EXPECT_NEAR(cost(benchmark::makeObjective(si_, problem), 0, 0, 4, 0), 2.0 * 4.0 + 3.0 * std::log(5.0),
                         1e-2);
         }
@@ -142,7 +142,7 @@ namespace ompl_mfa::benchmark
         TEST_F(ObjectiveFactory, ThresholdIsTheConfigs)
         {
             ProblemConfig problem;
-            problem.objective = ObjectiveKind::LENGTH;
+            problem.objective = ObjectiveKind::Length;
             problem.objectiveThreshold = 7.5;
             EXPECT_EQ(benchmark::makeObjective(si_, problem)->getCostThreshold().value(), 7.5);
         }

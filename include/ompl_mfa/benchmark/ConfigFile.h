@@ -67,30 +67,30 @@ namespace ompl_mfa::benchmark
     /** \brief What a problem's robot is. */
     enum class RobotKind
     {
-        FILE,  ///< a mesh or planning scene
-        POINT,
-        DISC,   ///< with robot.radius
-        SPHERE  ///< with robot.radius
+        File,  ///< a mesh or planning scene
+        Point,
+        Disc,   ///< with robot.radius
+        Sphere  ///< with robot.radius
     };
 
     /** \brief What costs a path, or a term of a weighted sum. */
     enum class ObjectiveKind
     {
-        LENGTH,
-        MAX_MIN_CLEARANCE,  ///< not as a term
-        MECHANICAL_WORK,
-        PROXIMITY,  ///< only as a term
-        WEIGHTED    ///< the sum of the problem's objectiveWeights
+        Length,
+        MaxMinClearance,  ///< not as a term
+        MechanicalWork,
+        Proximity,  ///< only as a term
+        Weighted    ///< the sum of the problem's objectiveWeights
     };
 
     /** \brief How valid states are sampled. */
     enum class SamplerKind
     {
-        UNIFORM,
-        GAUSSIAN,
-        OBSTACLE_BASED,
-        MAX_CLEARANCE,
-        BRIDGE_TEST
+        Uniform,
+        Gaussian,
+        ObstacleBased,
+        MaxClearance,
+        BridgeTest
     };
 
     /** \brief A pose in the world. Coordinates that the problem's space does not have are 0. */
@@ -138,7 +138,7 @@ namespace ompl_mfa::benchmark
         std::string name;
         /** \brief A mesh, a scene or an OctoMap; without it the robot moves in an empty world. */
         std::optional<ConfigEntry> world;
-        RobotKind robotKind{RobotKind::FILE};
+        RobotKind robotKind{RobotKind::File};
         /** \brief As written: the name of a file, or the word for another kind. */
         ConfigEntry robot;
         /** \brief Radius of a `disc` or `sphere` robot, world units. */
