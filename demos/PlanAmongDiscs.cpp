@@ -61,9 +61,9 @@ namespace
 
     bool isFree(const ob::State *state)
     {
-        static const std::vector<Disc> discs{{3.0, 3.5, 1.5}, {6.5, 5.5, 1.2}, {5.0, 8.0, 1.0}, {8.0, 8.5, 0.8}};
+        static const std::vector<Disc> DISCS{{3.0, 3.5, 1.5}, {6.5, 5.5, 1.2}, {5.0, 8.0, 1.0}, {8.0, 8.5, 0.8}};
         const double *position = state->as<ob::RealVectorStateSpace::StateType>()->values;
-        return std::none_of(discs.begin(), discs.end(),
+        return std::none_of(DISCS.begin(), DISCS.end(),
                             [position](const Disc &disc)
                             { return std::hypot(position[0] - disc.x, position[1] - disc.y) < disc.radius; });
     }

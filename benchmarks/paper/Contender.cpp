@@ -136,16 +136,16 @@ namespace ompl_mfa::paper
 
     const std::vector<std::string> &contenders()
     {
-        static const std::vector<std::string> names{"ga",  "fa", "mfa",  "fa_yang", "fa_linear", "fa_long",
+        static const std::vector<std::string> NAMES{"ga",  "fa", "mfa",  "fa_yang", "fa_linear", "fa_long",
                                                     "pso", "de", "sade", "cmaes",   "abc",       "gwo"};
-        return names;
+        return NAMES;
     }
 
     const std::vector<std::string> &ablations()
     {
-        static const std::vector<std::string> names{"no_eq8",  "no_eq9",    "no_eq10", "no_eq11",
+        static const std::vector<std::string> NAMES{"no_eq8",  "no_eq9",    "no_eq10", "no_eq11",
                                                     "no_eq12", "no_trials", "no_eq13", "no_eq14"};
-        return names;
+        return NAMES;
     }
 
     paper::Run runContender(const std::string &algorithm, ObjectiveFunction &objective, const Eigen::VectorXd &lower,

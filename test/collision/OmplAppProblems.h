@@ -78,7 +78,7 @@ namespace ompl_mfa::collision
 
     inline const std::vector<OmplAppProblem> &omplAppProblems()
     {
-        static const std::vector<OmplAppProblem> problems{
+        static const std::vector<OmplAppProblem> PROBLEMS{
             {"Barriers",
              "2D",
              "Barriers_easy_env.dae",
@@ -115,7 +115,7 @@ namespace ompl_mfa::collision
              {-508.88, -230.13, -123.75},
              {319.62, 531.87, 101.0}},
         };
-        return problems;
+        return PROBLEMS;
     }
 
     inline std::filesystem::path omplAppFolder()
