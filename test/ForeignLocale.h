@@ -165,6 +165,22 @@ namespace ompl_mfa::test
                                       ("ompl_mfa_locale_" + std::to_string(getpid()))};
         bool isThere_;
     };
+
+    /** \brief Calls \e check("streams") among ForeignStreams, then \e check("library") in a ForeignLibrary where the
+        system can have one. */
+    template <typename Check>
+    void inForeignLocales(const Check &check)
+    {
+        {
+            const ForeignStreams foreign;
+            check("streams");
+        }
+        const ForeignLibrary foreign;
+        if (foreign.isThere())
+        {
+            check("library");
+        }
+    }
 }  // namespace ompl_mfa::test
 
 #endif

@@ -54,7 +54,7 @@ namespace ompl_mfa::anytime
     enum class Clock
     {
         CPU,  ///< the processor time of the run: other programs on the machine do not count
-        WALL
+        Wall
     };
 
     /** \brief "cpu" or "wall". */

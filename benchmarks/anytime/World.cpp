@@ -118,7 +118,7 @@ namespace ompl_mfa::anytime
         length->setCostThreshold(ob::Cost(0.0));
         pdef->setOptimizationObjective(length);
         Problem problem = countChecks(si, pdef);
-        // setting up a space registers its own projections anew
+        // setting up a space registers its own projections again
         if (dimension == 2)
         {
             registerIdentityProjection(space);

@@ -61,7 +61,7 @@ namespace ompl_mfa::anytime
         std::shared_ptr<const path::CountingValidityChecker> checker;
     };
 
-    /** \brief A problem that is made anew, and always alike, in the process of each run. */
+    /** \brief A problem that is made again, always the same, in the process of each run. */
     struct World
     {
         std::string name;

@@ -141,7 +141,7 @@ namespace
     {
         const anytime::CampaignRequest request{anytime::selectWorlds(options.worlds),
                                                anytime::splitPlanners(options.planners), options.seeds, options.time,
-                                               options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::WALL};
+                                               options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::Wall};
         ompl_mfa::campaign::RunOptions runs;
         runs.journal = options.runs;
         runs.jobs = options.jobs;

@@ -54,7 +54,7 @@ namespace ompl_mfa::paper
         /** \brief The generations that BUDGET pays for when each costs N - 1 evaluations. */
         unsigned int affordableGenerations(unsigned int populationSize)
         {
-            return static_cast<unsigned int>((paper::BUDGET - populationSize) / (populationSize - 1));
+            return static_cast<unsigned int>((BUDGET - populationSize) / (populationSize - 1));
         }
 
         FireflyOptimizer::Settings ablated(const std::string &algorithm)
@@ -120,8 +120,8 @@ namespace ompl_mfa::paper
             return settings;
         }
 
-        paper::Run runFireflies(const FireflyOptimizer::Settings &settings, paper::Recorder &recorder,
-                                const Eigen::VectorXd &lower, const Eigen::VectorXd &upper, std::uint64_t seed)
+        Run runFireflies(const FireflyOptimizer::Settings &settings, Recorder &recorder, const Eigen::VectorXd &lower,
+                         const Eigen::VectorXd &upper, std::uint64_t seed)
         {
             FireflyOptimizer optimizer(settings, lower, upper, seed);
             const auto isSpent = [&recorder] { return recorder.isSpent(); };
@@ -148,8 +148,8 @@ namespace ompl_mfa::paper
         return NAMES;
     }
 
-    paper::Run runContender(const std::string &algorithm, ObjectiveFunction &objective, const Eigen::VectorXd &lower,
-                            const Eigen::VectorXd &upper, double target, std::uint64_t seed)
+    Run runContender(const std::string &algorithm, ObjectiveFunction &objective, const Eigen::VectorXd &lower,
+                     const Eigen::VectorXd &upper, double target, std::uint64_t seed)
     {
         const auto isOneOf = [&algorithm](const std::vector<std::string> &names)
         { return std::find(names.begin(), names.end(), algorithm) != names.end(); };

@@ -56,7 +56,7 @@ namespace ompl_mfa::paper
     namespace
     {
         constexpr unsigned int POPULATION = 100;
-        constexpr unsigned int GENERATIONS = (paper::BUDGET - POPULATION) / POPULATION;
+        constexpr unsigned int GENERATIONS = (BUDGET - POPULATION) / POPULATION;
 
         /** \brief Above every feasible cost in the study, so that adding it to the violation keeps the order of
          * brightness.
@@ -70,7 +70,7 @@ namespace ompl_mfa::paper
         /** \brief The objective as a pagmo problem over the unit cube. */
         struct UnitCube
         {
-            paper::Recorder *recorder{nullptr};
+            Recorder *recorder{nullptr};
             Eigen::VectorXd lower;
             Eigen::VectorXd range;
 

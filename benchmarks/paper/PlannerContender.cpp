@@ -105,7 +105,7 @@ namespace ompl_mfa::paper
             const PlanarCollision &collision_;
         };
 
-        og::SimpleSetup makeProblem(const paper::PathScene &scene, const PlanarCollision &collision)
+        og::SimpleSetup makeProblem(const PathScene &scene, const PlanarCollision &collision)
         {
             const auto space = std::make_shared<ob::RealVectorStateSpace>(2);
             ob::RealVectorBounds bounds(2);
@@ -132,7 +132,7 @@ namespace ompl_mfa::paper
         }
     }  // namespace
 
-    paper::PlannerRun runPlanner(const PathScene &scene, unsigned int slices, double target, std::uint32_t seed)
+    PlannerRun runPlanner(const PathScene &scene, unsigned int slices, double target, std::uint32_t seed)
     {
         ompl::RNG::setSeed(seed);
         const PlanarCollision collision(scene.world);

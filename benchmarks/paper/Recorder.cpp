@@ -78,7 +78,7 @@ namespace ompl_mfa::paper
         return objective_.isBrighter(a, b);
     }
 
-    paper::Run Recorder::finish()
+    Run Recorder::finish()
     {
         run_.seconds = secondsSinceStart();
         run_.trace.resize(TRACE_POINTS,

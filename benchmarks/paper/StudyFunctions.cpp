@@ -83,7 +83,7 @@ namespace ompl_mfa::paper
                     {
                         continue;
                     }
-                    for (const auto &algorithm : paper::contenders())
+                    for (const auto &algorithm : contenders())
                     {
                         for (unsigned int run = 1; run <= runs; ++run)
                         {
@@ -102,16 +102,15 @@ namespace ompl_mfa::paper
         double errorOf(const Job &job)
         {
             TestFunction function(job.function, job.dimension, drawShift(job));
-            const paper::Run run =
-                paper::runContender(job.algorithm, function, function.lower(), function.upper(), -1e300, job.run);
+            const Run run = runContender(job.algorithm, function, function.lower(), function.upper(), -1e300, job.run);
             const double optimum = function.evaluate(function.optimum(), nullptr).cost;
             return std::max(0.0, run.best.cost - optimum);
         }
 
         /** \brief The populations of Figs. 5 and 6: for each algorithm the run of median share near the optimum. */
-        void writePopulations(const paper::StudyOptions &options)
+        void writePopulations(const StudyOptions &options)
         {
-            auto out = paper::openTable(options, "populations.csv", "algorithm,run,share,x,y");
+            auto out = openTable(options, "populations.csv", "algorithm,run,share,x,y");
             for (const auto variant : {FireflyOptimizer::Variant::FA, FireflyOptimizer::Variant::MFA})
             {
                 for (unsigned int run = 1; run <= 30; ++run)

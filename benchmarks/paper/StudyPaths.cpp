@@ -72,11 +72,11 @@ namespace ompl_mfa::paper
 
         std::vector<std::string> algorithmsFor(const PathScene &scene)
         {
-            auto algorithms = paper::contenders();
-            const auto &ablations = paper::ablations();
+            auto algorithms = contenders();
+            const auto &without = ablations();
             if (isPaperScene(scene))
             {
-                algorithms.insert(algorithms.end(), ablations.begin(), ablations.end());
+                algorithms.insert(algorithms.end(), without.begin(), without.end());
             }
             return algorithms;
         }
@@ -103,7 +103,7 @@ namespace ompl_mfa::paper
             const double target = 1.01 * optimum;
             if (job.algorithm == PLANNER)
             {
-                auto result = paper::runPlanner(scene, SLICES, target, job.run);
+                auto result = runPlanner(scene, SLICES, target, job.run);
                 return {std::move(result.run), std::move(result.path)};
             }
             PathProblem problem(scene, SLICES);
@@ -116,12 +116,11 @@ namespace ompl_mfa::paper
         void writeRuns(const StudyOptions &options, const std::vector<PathScene> &scenes, const std::vector<Job> &jobs,
                        const std::vector<Outcome> &outcomes, const std::string &prefix)
         {
-            auto runs = paper::openTable(options, prefix + "runs.csv",
-                                         "scene,algorithm,run,cost,violation,evaluations,evaluations_to_target");
-            auto times =
-                paper::openTable(options, prefix + "times.csv", "scene,algorithm,run,seconds,seconds_to_target");
-            auto traces = paper::openTable(options, prefix + "convergence.csv", "scene,algorithm,run,hundredth,cost");
-            auto paths = paper::openTable(options, prefix + "paths.csv", "scene,algorithm,run,x,y");
+            auto runs = openTable(options, prefix + "runs.csv",
+                                  "scene,algorithm,run,cost,violation,evaluations,evaluations_to_target");
+            auto times = openTable(options, prefix + "times.csv", "scene,algorithm,run,seconds,seconds_to_target");
+            auto traces = openTable(options, prefix + "convergence.csv", "scene,algorithm,run,hundredth,cost");
+            auto paths = openTable(options, prefix + "paths.csv", "scene,algorithm,run,x,y");
             for (std::size_t i = 0; i < jobs.size(); ++i)
             {
                 const auto &run = outcomes[i].run;
@@ -197,8 +196,8 @@ namespace ompl_mfa::paper
 
         std::vector<PathScene> allScenes(const StudyOptions &options)
         {
-            auto scenes = paper::paperScenes(options.worldFile);
-            const auto seeded = paper::seededScenes(SEEDED_SCENES);
+            auto scenes = paperScenes(options.worldFile);
+            const auto seeded = seededScenes(SEEDED_SCENES);
             scenes.insert(scenes.end(), seeded.begin(), seeded.end());
             return scenes;
         }
@@ -234,10 +233,10 @@ namespace ompl_mfa::paper
 
     void writeScenes(const StudyOptions &options)
     {
-        auto table = paper::openTable(options, "scenes.csv",
-                                      "scene,obstacles,start_x,start_y,goal_x,goal_y,optimum,slice_optimum");
-        auto obstacles = paper::openTable(options, "obstacles.csv", "scene,obstacle,radius,x,y");
-        auto paths = paper::openTable(options, "optima.csv", "scene,x,y");
+        auto table =
+            openTable(options, "scenes.csv", "scene,obstacles,start_x,start_y,goal_x,goal_y,optimum,slice_optimum");
+        auto obstacles = openTable(options, "obstacles.csv", "scene,obstacle,radius,x,y");
+        auto paths = openTable(options, "optima.csv", "scene,x,y");
         for (const auto &scene : allScenes(options))
         {
             const auto exact = oracle::shortestPath(scene.world, scene.start, scene.goal);

@@ -56,8 +56,6 @@ namespace ompl_mfa::paper
     {
         using campaign::RunProcess;
         using campaign::RunTermination;
-        using paper::Json;
-        using paper::StudyRun;
 
         std::string nameOf(const Json &key)
         {
@@ -155,7 +153,7 @@ namespace ompl_mfa::paper
         return out;
     }
 
-    paper::Json numberToJson(double value)
+    Json numberToJson(double value)
     {
         return std::isfinite(value) ? Json(value) : Json(text::numberText(value));
     }

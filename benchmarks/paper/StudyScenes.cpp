@@ -94,7 +94,7 @@ namespace ompl_mfa::paper
 
         bool isWorthPlanning(const PathScene &scene)
         {
-            const paper::PlanarCollision collision(scene.world);
+            const PlanarCollision collision(scene.world);
             if (!collision.isValid(scene.start) || !collision.isValid(scene.goal))
             {
                 return false;

@@ -50,7 +50,8 @@ namespace ompl_mfa::benchmark
     using campaign::RunPhase;
     using campaign::RunTermination;
 
-    /** \brief What is known of a planner while it runs, and after a crash. SOLVING is the time in its solve(). */
+    /** \brief What is known of a planner while it runs, and after a crash. RunPhase::Solving is the time in its
+     * solve(). */
     struct RunState : campaign::RunState
     {
         /** \brief When the first solution was seen, seconds after solveStart; infinite before. */

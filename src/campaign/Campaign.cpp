@@ -231,7 +231,7 @@ namespace ompl_mfa::campaign
                     throw InputError(file.string() +
                                      ": these runs are of another campaign, so it cannot be resumed: the "
                                      "config, a file that it names or the program has changed; --overwrite "
-                                     "starts anew");
+                                     "discards them");
                 }
                 if (options_.resume)
                 {
@@ -241,8 +241,8 @@ namespace ompl_mfa::campaign
                 if (!same || !std::all_of(pending_.begin(), pending_.end(), isDone))
                 {
                     throw InputError(file.string() + ": has " + std::to_string(runs) +
-                                     " runs of an interrupted campaign; --resume continues it, --overwrite starts "
-                                     "anew");
+                                     " runs of an interrupted campaign; --resume continues it, --overwrite discards "
+                                     "them");
                 }
                 journal_.reset();
             }

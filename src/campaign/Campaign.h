@@ -81,7 +81,7 @@ namespace ompl_mfa::campaign
         Json key;
         /** \brief What it is called where progress is shown. */
         std::string name;
-        /** \brief Runs of the same group take about equally long: how long this one may take is told from those. */
+        /** \brief Runs of the same group take about equally long: its duration is estimated from theirs. */
         std::string group;
         /** \brief Seconds that it may take as long as no run of its group is over. */
         double expected{0.0};

@@ -44,7 +44,7 @@
 
 namespace ompl_mfa::campaign
 {
-    /** \brief A digest of \e texts in hexadecimal digits, the same on every machine, by which campaigns are told apart.
+    /** \brief A digest of \e texts in hexadecimal digits, the same on every machine, which identifies a campaign.
      */
     OMPL_MFA_EXPORT std::string digestOf(const std::vector<std::string> &texts);
 }  // namespace ompl_mfa::campaign

@@ -65,15 +65,16 @@ namespace ompl_mfa::campaign
     struct RunState
     {
         std::atomic<RunPhase> phase{RunPhase::Preparing};
-        /** \brief When SOLVING began, seconds of the monotonic clock. */
+        /** \brief When RunPhase::Solving began, seconds of the monotonic clock. */
         std::atomic<double> solveStart{0.0};
-        /** \brief Processor time of the process when SOLVING began, seconds. */
+        /** \brief Processor time of the process when RunPhase::Solving began, seconds. */
         std::atomic<double> processorAtStart{0.0};
-        /** \brief Resident memory of the process when SOLVING began, bytes. */
+        /** \brief Resident memory of the process when RunPhase::Solving began, bytes. */
         std::atomic<std::uint64_t> residentAtStart{0};
     };
 
-    /** \brief Called in the process of a run: notes time and memory, from which its limits count, and begins SOLVING.
+    /** \brief Called in the process of a run: notes time and memory, from which its limits count, and begins
+     * RunPhase::Solving.
      */
     OMPL_MFA_EXPORT void startSolving(RunState &state);
 
@@ -99,9 +100,10 @@ namespace ompl_mfa::campaign
         double prepare{120.0};
         double solve{5.0};
         double finish{120.0};
-        /** \brief Seconds of processor time that the process may take from the start of SOLVING to its end. */
+        /** \brief Seconds of processor time that the process may take from the start of RunPhase::Solving to its end.
+         */
         double processor{std::numeric_limits<double>::infinity()};
-        /** \brief Megabytes (2^20 bytes) that SOLVING may add to what the process occupied before it. */
+        /** \brief Megabytes (2^20 bytes) that RunPhase::Solving may add to what the process occupied before it. */
         double memory{4096.0};
     };
 
@@ -139,7 +141,7 @@ namespace ompl_mfa::campaign
         /** \brief Waits until something can be read from one of \e processes, at most \e seconds. */
         static void waitForOutput(const std::vector<const RunProcess *> &processes, double seconds);
 
-        /** \brief UNKNOWN as long as update() has not returned true. */
+        /** \brief RunTermination::Unknown as long as update() has not returned true. */
         RunTermination termination() const;
 
         /** \brief Whether the process ended because its body threw InputError: what it was asked for cannot be had. */
@@ -151,7 +153,7 @@ namespace ompl_mfa::campaign
         /** \brief The exit status of the process, 0 if a signal ended it. */
         int exitStatus() const;
 
-        /** \brief What Body returned; empty unless the run RETURNED. */
+        /** \brief What Body returned; empty unless termination() is RunTermination::Returned. */
         const std::string &result() const;
 
         /** \brief The end of what the process printed, at most 4 KiB, without surrounding white space. The message of

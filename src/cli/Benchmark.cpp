@@ -59,7 +59,6 @@ namespace ompl_mfa::cli
 {
     namespace
     {
-        using cli::finiteOrNull;
 
         constexpr int SIGNAL_STATUS = 128;
         /* Of the property `termination`. */
@@ -176,7 +175,7 @@ namespace ompl_mfa::cli
                                                 {"cost_mean", finiteOrNull(mean(summary.costs))},
                                                 {"simplified_cost_mean", finiteOrNull(mean(summary.simplifiedCosts))}});
             }
-            cli::printDocument(document);
+            printDocument(document);
         }
 
         void readShard(const std::string &text, benchmark::CampaignOptions &options)

@@ -54,8 +54,6 @@ namespace ompl_mfa::cli
 {
     namespace
     {
-        using cli::Canvas;
-        using cli::PictureFormat;
 
         constexpr double IMAGE_SCALE = 2.0;
         constexpr double PI = 3.14159265358979323846;
@@ -213,7 +211,7 @@ namespace ompl_mfa::cli
         }
     }  // namespace
 
-    cli::PictureFormat pictureFormat(const std::string &file)
+    PictureFormat pictureFormat(const std::string &file)
     {
         const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
         if (extension == ".svg")

@@ -276,7 +276,7 @@ namespace ompl_mfa::cli
             }
             if (options.json)
             {
-                cli::printDocument(description);
+                printDocument(description);
             }
             else
             {

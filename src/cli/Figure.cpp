@@ -49,11 +49,6 @@ namespace ompl_mfa::cli
 {
     namespace
     {
-        using cli::Anchor;
-        using cli::Canvas;
-        using cli::LegendEntry;
-        using cli::Style;
-        using cli::textWidth;
 
         constexpr double PANEL_WIDTH = 560;
         constexpr double LONGEST_AXIS = 480;
@@ -231,13 +226,13 @@ namespace ompl_mfa::cli
         }
     }
 
-    const std::vector<LegendEntry> &cli::Axes::legend() const
+    const std::vector<LegendEntry> &Axes::legend() const
     {
         return legend_;
     }
 
     /* Multiples of 1, 2 or 5 times a power of ten: about six of them, or as many as have room for their labels. */
-    std::vector<Axes::Tick> cli::Axes::placeTicks(double lower, double upper, double pixels, bool horizontal)
+    std::vector<Axes::Tick> Axes::placeTicks(double lower, double upper, double pixels, bool horizontal)
     {
         std::vector<Tick> ticks;
         for (int count = 6; count >= 1; --count)
@@ -272,7 +267,7 @@ namespace ompl_mfa::cli
         return ticks;
     }
 
-    cli::Axes::Layout Axes::layOut(double width) const
+    Axes::Layout Axes::layOut(double width) const
     {
         const Eigen::Vector2d range = upper_ - lower_;
         Layout layout;

@@ -70,7 +70,7 @@ namespace ompl_mfa::cli
                 document["planners"].push_back(
                     {{"planner", planner.name.substr(planner.name.find('_') + 1)}, {"runs", planner.runs.size()}});
             }
-            cli::printDocument(document);
+            printDocument(document);
         }
 
         void merge(Options options)

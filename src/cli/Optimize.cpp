@@ -210,7 +210,7 @@ namespace ompl_mfa::cli
         void draw(const TestFunction &function, const std::vector<Result> &results, const std::string &file)
         {
             const auto lines = contours(function);
-            cli::Figure figure;
+            Figure figure;
             for (const auto &result : results)
             {
                 const Run &run = result.runs[(result.runs.size() - 1) / 2];
@@ -248,7 +248,7 @@ namespace ompl_mfa::cli
                       median(result.runs, [](const Run &run) { return run.shareNearOptimum; })},
                      {"evaluations", median(result.runs, [](const Run &run) { return run.evaluations; })}});
             }
-            cli::printDocument(document);
+            printDocument(document);
         }
 
         void printTable(const Options &options, const std::vector<Result> &results)
@@ -282,7 +282,7 @@ namespace ompl_mfa::cli
             }
             if (!options.picture.empty())
             {
-                cli::pictureFormat(options.picture);
+                pictureFormat(options.picture);
             }
             std::vector<Result> results;
             for (const auto &algorithm : options.algorithms)

@@ -76,7 +76,6 @@ namespace ompl_mfa::cli
         using benchmark::BenchmarkConfig;
         using benchmark::PlannerSpec;
         using benchmark::ProblemFactory;
-        using cli::finiteOrNull;
 
         const char *const ACCEPTED_TIME = "a number above 0 and at most 1e9 (seconds)";
 
@@ -282,7 +281,7 @@ namespace ompl_mfa::cli
 
         void draw(const ProblemFactory &factory, const PlanRun &run, const Result &result, const Options &options)
         {
-            cli::PictureContent content;
+            PictureContent content;
             content.title = factory.config().problem.name + ", " + run.planner().getName();
             if (const auto *mfa = dynamic_cast<const MFA *>(&run.planner()))
             {
@@ -294,7 +293,7 @@ namespace ompl_mfa::cli
                 content.best.push_back(run.setup().getSolutionPath());
                 content.title += ", cost " + text::numberText(result.cost, 5) + (result.exact ? "" : " (approximate)");
             }
-            cli::drawProblem(factory, run.setup(), content, options.picture);
+            drawProblem(factory, run.setup(), content, options.picture);
         }
 
         nlohmann::json count(const std::string &text)
@@ -322,7 +321,7 @@ namespace ompl_mfa::cli
                                              {"iterations", count(result.iterations)},
                                              {"checked_states", result.checkedStates},
                                              {"checked_motions", result.checkedMotions}};
-            cli::printDocument(document);
+            printDocument(document);
         }
 
         void printText(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options,
@@ -368,7 +367,7 @@ namespace ompl_mfa::cli
             options.path = benchmark::writtenPath(options.path, "--path " + options.path).string();
             if (!options.picture.empty())
             {
-                cli::pictureFormat(options.picture);
+                pictureFormat(options.picture);
             }
             requireWritable("--picture", options.picture);
             requireWritable("--path", options.path);

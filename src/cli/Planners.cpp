@@ -74,7 +74,7 @@ namespace ompl_mfa::cli
                 planners.push_back(
                     {{"name", name}, {"title", benchmark::plannerTitle(name)}, {"parameters", parameters}});
             }
-            cli::printDocument({{"planners", planners}});
+            printDocument({{"planners", planners}});
         }
 
         void printTable(const std::vector<std::string> &names)

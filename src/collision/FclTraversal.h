@@ -126,7 +126,7 @@ namespace ompl_mfa::collision
         }
     };
 
-    // FCL fits the volume around a primitive anew for each query, on the heap. The box of the primitive does as
+    // FCL fits the volume around a primitive again for each query, on the heap. The box of the primitive does as
     // well; its thinnest side is the roundness of the rectangle that distances are taken to.
     template <typename Shape>
     BoundingVolume volumeAround(const Shape &shape, const fcl::Transform3d &pose)

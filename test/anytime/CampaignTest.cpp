@@ -46,7 +46,6 @@
 #include "anytime/WorldList.h"
 #include "ompl_mfa/InputError.h"
 
-namespace anytime = ompl_mfa::anytime;
 using ompl_mfa::campaign::Json;
 
 namespace ompl_mfa::anytime
@@ -75,8 +74,8 @@ namespace ompl_mfa::anytime
                 return all;
             }
 
-            anytime::CampaignRequest request_{
-                anytime::selectWorlds("^(wall_gap|dividing_walls)_2d_1$"), {"rrtconnect"}, 2, 5.0, anytime::Clock::CPU};
+            CampaignRequest request_{
+                selectWorlds("^(wall_gap|dividing_walls)_2d_1$"), {"rrtconnect"}, 2, 5.0, Clock::CPU};
             std::ostringstream progress_;
             campaign::RunOptions options_;
         };

@@ -45,7 +45,6 @@
 
 #include <gtest/gtest.h>
 
-namespace anytime = ompl_mfa::anytime;
 namespace ob = ompl::base;
 
 namespace ompl_mfa::anytime
@@ -70,16 +69,16 @@ namespace ompl_mfa::anytime
             std::atomic<double> cost{std::numeric_limits<double>::infinity()};
         };
 
-        anytime::Problem emptyProblem()
+        Problem emptyProblem()
         {
-            return anytime::makeProblem(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones(), Eigen::Vector2d(0.1, 0.5),
-                                        Eigen::Vector2d(0.9, 0.5), 0.01, [](const double *) { return true; });
+            return makeProblem(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones(), Eigen::Vector2d(0.1, 0.5),
+                               Eigen::Vector2d(0.9, 0.5), 0.01, [](const double *) { return true; });
         }
 
-        void waitForCount(const anytime::ImprovementLog &log, std::uint32_t count)
+        void waitForCount(const ImprovementLog &log, std::uint32_t count)
         {
-            const double start = anytime::wallTime();
-            while (log.count < count && anytime::wallTime() < start + 20.0)
+            const double start = wallTime();
+            while (log.count < count && wallTime() < start + 20.0)
             {
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             }
@@ -91,8 +90,8 @@ namespace ompl_mfa::anytime
     {
         const auto problem = emptyProblem();
         ShowingPlanner planner(problem.si);
-        const auto log = std::make_unique<anytime::ImprovementLog>();
-        anytime::CostTrace trace(problem, planner, anytime::Clock::WALL, 100.0, *log);
+        const auto log = std::make_unique<ImprovementLog>();
+        CostTrace trace(problem, planner, Clock::Wall, 100.0, *log);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         EXPECT_EQ(log->count, 0U) << "an infinite cost is no improvement";
         planner.cost = 3.0;
@@ -113,9 +112,9 @@ namespace ompl_mfa::anytime
     {
         const auto problem = emptyProblem();
         const ShowingPlanner planner(problem.si);
-        const auto log = std::make_unique<anytime::ImprovementLog>();
+        const auto log = std::make_unique<ImprovementLog>();
         {
-            const anytime::CostTrace trace(problem, planner, anytime::Clock::CPU, 100.0, *log);
+            const CostTrace trace(problem, planner, Clock::CPU, 100.0, *log);
             problem.si->checkMotion(problem.pdef->getStartState(0), problem.pdef->getStartState(0));
             const std::uint64_t checks = problem.checker->checks();
             problem.pdef->getIntermediateSolutionCallback()(&planner, {}, ob::Cost(1.5));
@@ -131,9 +130,9 @@ namespace ompl_mfa::anytime
     {
         const auto problem = emptyProblem();
         const ShowingPlanner planner(problem.si);
-        const auto log = std::make_unique<anytime::ImprovementLog>();
-        anytime::CostTrace wall(problem, planner, anytime::Clock::WALL, 0.02, *log);
-        anytime::CostTrace cpu(problem, planner, anytime::Clock::CPU, 20.0, *log);
+        const auto log = std::make_unique<ImprovementLog>();
+        CostTrace wall(problem, planner, Clock::Wall, 0.02, *log);
+        CostTrace cpu(problem, planner, Clock::CPU, 20.0, *log);
         EXPECT_FALSE(cpu.expired());
         std::this_thread::sleep_for(std::chrono::milliseconds(25));
         EXPECT_TRUE(wall.expired());

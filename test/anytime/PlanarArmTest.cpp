@@ -108,7 +108,7 @@ namespace ompl_mfa::anytime
             {
                 continue;
             }
-            const bool isFree = anytime::armIsFree(angles.data(), 7, {capsule});
+            const bool isFree = armIsFree(angles.data(), 7, {capsule});
             EXPECT_EQ(isFree, clearance > 0.0) << "trial " << trial << ", clearance " << clearance;
             ++(isFree ? free : colliding);
         }

@@ -48,10 +48,6 @@
 #include "anytime/WorldList.h"
 #include "ompl_mfa/InputError.h"
 
-namespace anytime = ompl_mfa::anytime;
-using anytime::RunMemory;
-using anytime::RunRequest;
-using anytime::RunResult;
 using ompl_mfa::campaign::Json;
 using ompl_mfa::campaign::RunProcess;
 
@@ -59,15 +55,15 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
-        const anytime::World &world()
+        const World &world()
         {
-            static const anytime::World WORLD = anytime::selectWorlds("^wall_gap_2d_1$").front();
+            static const World WORLD = selectWorlds("^wall_gap_2d_1$").front();
             return WORLD;
         }
 
         RunRequest request(const std::string &planner = "rrtconnect", double limit = 0.2)
         {
-            return {&world(), planner, 1, limit, anytime::Clock::CPU};
+            return {&world(), planner, 1, limit, Clock::CPU};
         }
 
         std::unique_ptr<RunProcess> runToEnd(const campaign::Work &work)
@@ -82,7 +78,7 @@ namespace ompl_mfa::anytime
             return work.report(*runToEnd(work)).record;
         }
 
-        Json recordOf(const anytime::RunBody &body)
+        Json recordOf(const RunBody &body)
         {
             return recordOf(makeWork(request(), body));
         }

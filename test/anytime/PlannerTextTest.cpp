@@ -42,23 +42,21 @@
 
 #include "ompl_mfa/InputError.h"
 
-namespace anytime = ompl_mfa::anytime;
-
 namespace ompl_mfa::anytime
 {
     using Texts = std::vector<std::string>;
 
     TEST(PlannerText, CommasSeparatePlannersAndParameters)
     {
-        EXPECT_EQ(anytime::splitPlanners("mfa,bitstar"), (Texts{"mfa", "bitstar"}));
-        EXPECT_EQ(anytime::splitPlanners("mfa:slices=4,gamma=1,rrtstar,mfa:slices=5"),
+        EXPECT_EQ(splitPlanners("mfa,bitstar"), (Texts{"mfa", "bitstar"}));
+        EXPECT_EQ(splitPlanners("mfa:slices=4,gamma=1,rrtstar,mfa:slices=5"),
                   (Texts{"mfa:slices=4,gamma=1", "rrtstar", "mfa:slices=5"}));
-        EXPECT_THROW(anytime::splitPlanners(""), InputError);
+        EXPECT_THROW(splitPlanners(""), InputError);
     }
 
     TEST(PlannerText, PeersStandForAllOfThem)
     {
-        const Texts all = anytime::splitPlanners("mfa,peers");
+        const Texts all = splitPlanners("mfa,peers");
         for (const char *name : {"mfa", "rrtstar", "informedrrtstar", "prmstar", "bitstar", "abitstar", "aitstar",
                                  "anytimepathshortening", "rrtconnect"})
         {
@@ -68,7 +66,7 @@ namespace ompl_mfa::anytime
 
     TEST(PlannerText, ParametersAreRead)
     {
-        const auto spec = anytime::parsePlanner("mfa:slices=4,gamma=1.5");
+        const auto spec = parsePlanner("mfa:slices=4,gamma=1.5");
         EXPECT_EQ(spec.type, "mfa");
         ASSERT_EQ(spec.parameters.size(), 2U);
         EXPECT_EQ(spec.parameters[0].key, "slices");
@@ -79,8 +77,8 @@ namespace ompl_mfa::anytime
 
     TEST(PlannerText, RefusesWhatItDoesNotKnow)
     {
-        EXPECT_THROW(anytime::parsePlanner("mfaa"), InputError);
-        EXPECT_THROW(anytime::parsePlanner("mfa:slices"), InputError);
-        EXPECT_THROW(anytime::parsePlanner("mfa:=3"), InputError);
+        EXPECT_THROW(parsePlanner("mfaa"), InputError);
+        EXPECT_THROW(parsePlanner("mfa:slices"), InputError);
+        EXPECT_THROW(parsePlanner("mfa:=3"), InputError);
     }
 }  // namespace ompl_mfa::anytime

@@ -54,7 +54,6 @@
 
 #include "ompl_mfa/InputError.h"
 
-namespace anytime = ompl_mfa::anytime;
 namespace ob = ompl::base;
 
 namespace ompl_mfa::anytime
@@ -63,7 +62,7 @@ namespace ompl_mfa::anytime
     {
         const char *const OWN_WORLDS = "^(circles|wall|double|dividing|random|arm)";
 
-        bool isFree(const anytime::Problem &problem, const std::vector<double> &reals)
+        bool isFree(const Problem &problem, const std::vector<double> &reals)
         {
             ob::ScopedState<> state(problem.si);
             problem.si->getStateSpace()->copyFromReals(state.get(), reals);
@@ -72,7 +71,7 @@ namespace ompl_mfa::anytime
 
         /* Shortest way over a grid whose points are joined to their eight neighbours: from 0 to 8.3% above the optimum,
            and a little more for turns that miss the grid. */
-        double gridOptimum(const anytime::Problem &problem)
+        double gridOptimum(const Problem &problem)
         {
             constexpr int N = 500;
             const auto at = [](int ix, int iy) { return iy * (N + 1) + ix; };
@@ -143,7 +142,7 @@ namespace ompl_mfa::anytime
     TEST(WorldList, EveryWorldIsWorthPlanningIn)
     {
         std::set<std::string> names;
-        for (const auto &world : anytime::selectWorlds(OWN_WORLDS))
+        for (const auto &world : selectWorlds(OWN_WORLDS))
         {
             EXPECT_TRUE(names.insert(world.name).second) << world.name << " twice";
             const auto problem = world.make();
@@ -163,7 +162,7 @@ namespace ompl_mfa::anytime
     TEST(WorldList, AWorldIsTheSameEachTime)
     {
         std::mt19937 engine(3);
-        for (const auto &world : anytime::selectWorlds(OWN_WORLDS))
+        for (const auto &world : selectWorlds(OWN_WORLDS))
         {
             const auto first = world.make();
             const auto second = world.make();
@@ -183,7 +182,7 @@ namespace ompl_mfa::anytime
 
     TEST(WorldList, OptimaInThePlaneAgreeWithAGrid)
     {
-        for (const auto &world : anytime::selectWorlds("_2d_"))
+        for (const auto &world : selectWorlds("_2d_"))
         {
             const double grid = gridOptimum(world.make());
             EXPECT_GT(grid, world.optimum() * (1.0 - 1e-3)) << world.name;
@@ -196,9 +195,8 @@ namespace ompl_mfa::anytime
         std::mt19937 engine(4);
         for (const char *kind : {"wall_gap_4d_1", "wall_gap_8d_1", "double_enclosure_4d_1", "dividing_walls_4d_1"})
         {
-            const auto world = anytime::selectWorlds(std::string("^") + kind).front();
-            const auto planar =
-                anytime::selectWorlds("^" + world.family.substr(0, world.family.size() - 2) + "2d").front();
+            const auto world = selectWorlds(std::string("^") + kind).front();
+            const auto planar = selectWorlds("^" + world.family.substr(0, world.family.size() - 2) + "2d").front();
             EXPECT_EQ(world.optimum(), planar.optimum());
             const auto problem = world.make();
             const auto section = planar.make();
@@ -217,7 +215,7 @@ namespace ompl_mfa::anytime
     {
         for (const std::uint64_t seed : {3, 7, 8})
         {
-            EXPECT_GT(anytime::circleOptimum(seed, 0.004), 1.02 * anytime::circleOptimum(seed, 0.0)) << seed;
+            EXPECT_GT(circleOptimum(seed, 0.004), 1.02 * circleOptimum(seed, 0.0)) << seed;
         }
     }
 
@@ -225,7 +223,7 @@ namespace ompl_mfa::anytime
     {
         std::ifstream in(OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/references.jsonl");
         ASSERT_TRUE(in);
-        const auto worlds = anytime::allWorlds();
+        const auto worlds = allWorlds();
         std::size_t exact = 0;
         for (std::string line; std::getline(in, line);)
         {
@@ -261,7 +259,7 @@ namespace ompl_mfa::anytime
 
     TEST(WorldList, NamesThatMatchNothingAreRefused)
     {
-        EXPECT_THROW(anytime::selectWorlds("no such world"), InputError);
-        EXPECT_THROW(anytime::selectWorlds("("), InputError);
+        EXPECT_THROW(selectWorlds("no such world"), InputError);
+        EXPECT_THROW(selectWorlds("("), InputError);
     }
 }  // namespace ompl_mfa::anytime

@@ -49,8 +49,6 @@ namespace ompl_mfa::benchmark
 {
     namespace
     {
-        using benchmark::BenchmarkConfig;
-        using benchmark::StateSpaceKind;
         using test::inputErrorOf;
 
         /* Seven lines, so that what a test appends begins at line 8. */
@@ -61,7 +59,7 @@ namespace ompl_mfa::benchmark
         BenchmarkConfig parse(const std::string &text)
         {
             std::istringstream in(text);
-            return benchmark::parseBenchmarkConfig(in, "folder/a.cfg");
+            return parseBenchmarkConfig(in, "folder/a.cfg");
         }
 
         std::string errorOf(const std::string &text)
@@ -83,7 +81,7 @@ namespace ompl_mfa::benchmark
                                                  "progress_interval = 0.001\n");
             EXPECT_EQ(config.problem.name, "scene");
             EXPECT_EQ(config.problem.world->value, "w.yaml");
-            EXPECT_EQ(config.problem.robotKind, benchmark::RobotKind::Disc);
+            EXPECT_EQ(config.problem.robotKind, RobotKind::Disc);
             EXPECT_EQ(config.problem.robotRadius, 0.3);
             EXPECT_EQ(config.problem.space, StateSpaceKind::ReedsShepp);
             EXPECT_EQ(config.problem.turningRadius, 2.5);
@@ -94,18 +92,18 @@ namespace ompl_mfa::benchmark
             ASSERT_TRUE(config.problem.volume);
             EXPECT_EQ(config.problem.volume->min[1], -2.0);
             EXPECT_EQ(config.problem.volume->max[1], 20.0);
-            EXPECT_EQ(config.problem.objective, benchmark::ObjectiveKind::Weighted);
+            EXPECT_EQ(config.problem.objective, ObjectiveKind::Weighted);
             EXPECT_EQ(*config.problem.objectiveThreshold, 5.0);
             ASSERT_EQ(config.problem.objectiveWeights.size(), 2u);
-            EXPECT_EQ(config.problem.objectiveWeights[1], std::make_pair(benchmark::ObjectiveKind::Proximity, 0.5));
-            EXPECT_EQ(config.problem.context.sampler, benchmark::SamplerKind::Gaussian);
+            EXPECT_EQ(config.problem.objectiveWeights[1], std::make_pair(ObjectiveKind::Proximity, 0.5));
+            EXPECT_EQ(config.problem.context.sampler, SamplerKind::Gaussian);
             EXPECT_EQ(config.problem.context.longestValidSegmentFraction, 0.02);
             EXPECT_FALSE(config.problem.context.cellSizeFactor);
             EXPECT_EQ(config.benchmark.timeLimit, 2.0);
             EXPECT_EQ(config.benchmark.memoryLimit, 300.0);
             EXPECT_EQ(config.benchmark.runCount, 4u);
             EXPECT_EQ(config.benchmark.output.string(), "logs");
-            EXPECT_EQ(config.benchmark.savePaths, benchmark::SavePaths::Shortest);
+            EXPECT_EQ(config.benchmark.savePaths, SavePaths::Shortest);
             EXPECT_FALSE(config.benchmark.simplify);
             EXPECT_EQ(config.benchmark.seed, 9u);
             EXPECT_EQ(config.benchmark.progressInterval, 0.001);
@@ -120,7 +118,7 @@ namespace ompl_mfa::benchmark
             EXPECT_FALSE(config.problem.objective);
             EXPECT_EQ(config.problem.threshold, 1e-6);
             EXPECT_EQ(config.problem.motionValidation.value, collision::MotionValidation::Discrete);
-            EXPECT_EQ(config.benchmark.savePaths, benchmark::SavePaths::None);
+            EXPECT_EQ(config.benchmark.savePaths, SavePaths::None);
             EXPECT_TRUE(config.benchmark.simplify);
             EXPECT_EQ(config.benchmark.seed, 1u);
             EXPECT_TRUE(config.planners.empty());
@@ -171,9 +169,9 @@ namespace ompl_mfa::benchmark
                       "[planner]\nproblem.sampler = gaussian\nkpiece =\nprm =\nproblem.sampler = uniform\n"
                       "kpiece.range = 2\nproblem.projection.cellsize_factor = 4\n");
             ASSERT_EQ(config.planners.size(), 2u);
-            EXPECT_EQ(config.planners[0].context.sampler, benchmark::SamplerKind::Gaussian);
+            EXPECT_EQ(config.planners[0].context.sampler, SamplerKind::Gaussian);
             EXPECT_EQ(config.planners[0].context.cellSizeFactor, 4.0);
-            EXPECT_EQ(config.planners[1].context.sampler, benchmark::SamplerKind::Uniform);
+            EXPECT_EQ(config.planners[1].context.sampler, SamplerKind::Uniform);
             EXPECT_FALSE(config.planners[1].context.cellSizeFactor);
             EXPECT_FALSE(config.problem.context.sampler);
         }
@@ -323,9 +321,9 @@ namespace ompl_mfa::benchmark
 
         TEST(ConfigFile, FilesThatCannotBeReadAreNamed)
         {
-            EXPECT_EQ(inputErrorOf([] { benchmark::readBenchmarkConfig("no_such.cfg"); }),
+            EXPECT_EQ(inputErrorOf([] { readBenchmarkConfig("no_such.cfg"); }),
                       "no_such.cfg: cannot be read; expected a benchmark config");
-            EXPECT_NE(inputErrorOf([] { benchmark::readBenchmarkConfig("."); }), "");
+            EXPECT_NE(inputErrorOf([] { readBenchmarkConfig("."); }), "");
         }
 
         TEST(ConfigFile, ResourcesAreSoughtAsGivenBesideTheConfigAndInTheResourceFolder)
@@ -339,7 +337,7 @@ namespace ompl_mfa::benchmark
             BenchmarkConfig config = parse(PLANAR);
             config.file = root / "configs" / "a.cfg";
             const auto found = [&config](const std::string &name) {
-                return benchmark::findResource(config, {"world", name, "a.cfg:2"});
+                return findResource(config, {"world", name, "a.cfg:2"});
             };
 
             ::unsetenv("OMPL_MFA_RESOURCE_DIR");

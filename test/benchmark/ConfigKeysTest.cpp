@@ -52,7 +52,6 @@ namespace ompl_mfa::benchmark
 {
     namespace
     {
-        using benchmark::ConfigRow;
         using Cells = std::vector<std::string>;
 
         template <typename Config>
@@ -115,15 +114,15 @@ namespace ompl_mfa::benchmark
         TEST(ConfigKeys, TheTableOfProblemIsTheDocumentedOne)
         {
             std::vector<Cells> table;
-            append(table, benchmark::problemRows());
-            append(table, benchmark::contextRows());
+            append(table, problemRows());
+            append(table, contextRows());
             expectEqual(documented("## `[problem]`"), table);
         }
 
         TEST(ConfigKeys, TheTableOfBenchmarkIsTheDocumentedOne)
         {
             std::vector<Cells> table;
-            append(table, benchmark::campaignRows());
+            append(table, campaignRows());
             expectEqual(documented("## `[benchmark]`"), table);
         }
 
@@ -153,21 +152,21 @@ namespace ompl_mfa::benchmark
 
         TEST(ConfigKeys, ErrorsSayWhatTheTableAccepts)
         {
-            expectRefusals(benchmark::problemRows());
-            expectRefusals(benchmark::contextRows());
-            expectRefusals(benchmark::campaignRows());
+            expectRefusals(problemRows());
+            expectRefusals(contextRows());
+            expectRefusals(campaignRows());
         }
 
         TEST(ConfigKeys, EachKeyHasAPlaceOfItsOwn)
         {
-            benchmark::ProblemConfig problem;
+            ProblemConfig problem;
             double value = 1.0;
             for (const auto *key : {"start.x",      "start.y",      "start.z",      "start.axis.x", "start.axis.y",
                                     "start.axis.z", "start.theta",  "goal.x",       "goal.y",       "goal.z",
                                     "goal.axis.x",  "goal.axis.y",  "goal.axis.z",  "goal.theta",   "volume.min.x",
                                     "volume.min.y", "volume.min.z", "volume.max.x", "volume.max.y", "volume.max.z"})
             {
-                EXPECT_TRUE(setValue(benchmark::problemRows(), key, {key, std::to_string(value), "a.cfg:3"}, problem));
+                EXPECT_TRUE(setValue(problemRows(), key, {key, std::to_string(value), "a.cfg:3"}, problem));
                 ++value;
             }
             value = 1.0;
@@ -187,7 +186,7 @@ namespace ompl_mfa::benchmark
                     EXPECT_EQ(end[axis], value++);
                 }
             }
-            EXPECT_FALSE(setValue(benchmark::problemRows(), "start.w", {"start.w", "1", "a.cfg:3"}, problem));
+            EXPECT_FALSE(setValue(problemRows(), "start.w", {"start.w", "1", "a.cfg:3"}, problem));
         }
     }  // namespace
 }  // namespace ompl_mfa::benchmark

@@ -46,13 +46,12 @@ namespace ompl_mfa::benchmark
 {
     namespace
     {
-        using benchmark::ConfigEntry;
         using test::inputErrorOf;
 
         std::vector<ConfigEntry> read(const std::string &text)
         {
             std::istringstream in(text);
-            return benchmark::readConfigLines(in, "a.cfg");
+            return readConfigLines(in, "a.cfg");
         }
 
         ConfigEntry valued(const std::string &value)
@@ -103,21 +102,21 @@ namespace ompl_mfa::benchmark
 
         TEST(ConfigLines, RealValueTakesNothingButAFiniteNumber)
         {
-            EXPECT_EQ(benchmark::realValue(valued("-0.5e1")), -5.0);
-            EXPECT_EQ(benchmark::realValue(valued("+2")), 2.0);
+            EXPECT_EQ(realValue(valued("-0.5e1")), -5.0);
+            EXPECT_EQ(realValue(valued("+2")), 2.0);
             for (const char *text : {"", "1.0x", "0x10", "1,5", "nan", "inf", "-inf", "1e999", "one"})
             {
-                EXPECT_EQ(inputErrorOf([&] { benchmark::realValue(valued(text)); }),
+                EXPECT_EQ(inputErrorOf([&] { realValue(valued(text)); }),
                           "a.cfg:3: key = " + std::string(text) + ": expected a finite number");
             }
         }
 
         TEST(ConfigLines, WholeValueStaysInItsRange)
         {
-            EXPECT_EQ(benchmark::wholeValue(valued("4294967295"), 1, 4294967295), 4294967295u);
+            EXPECT_EQ(wholeValue(valued("4294967295"), 1, 4294967295), 4294967295u);
             for (const char *text : {"0", "-1", "4294967296", "99999999999999999999999", "1.0", "1e3", ""})
             {
-                EXPECT_EQ(inputErrorOf([&] { benchmark::wholeValue(valued(text), 1, 4294967295); }),
+                EXPECT_EQ(inputErrorOf([&] { wholeValue(valued(text), 1, 4294967295); }),
                           "a.cfg:3: key = " + std::string(text) + ": expected a whole number from 1 to 4294967295");
             }
         }
@@ -126,13 +125,13 @@ namespace ompl_mfa::benchmark
         {
             for (const char *text : {"1", "true", "Yes", "ON"})
             {
-                EXPECT_TRUE(benchmark::switchValue(valued(text))) << text;
+                EXPECT_TRUE(switchValue(valued(text))) << text;
             }
             for (const char *text : {"0", "false", "no", "off"})
             {
-                EXPECT_FALSE(benchmark::switchValue(valued(text))) << text;
+                EXPECT_FALSE(switchValue(valued(text))) << text;
             }
-            EXPECT_EQ(inputErrorOf([] { benchmark::switchValue(valued("2")); }),
+            EXPECT_EQ(inputErrorOf([] { switchValue(valued("2")); }),
                       "a.cfg:3: key = 2: expected one of 0, 1, false, true, no, yes, off, on");
         }
     }  // namespace

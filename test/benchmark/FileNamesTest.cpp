@@ -64,15 +64,15 @@ namespace ompl_mfa::benchmark
             EXPECT_FALSE(isFileName(name)) << name;
         }
         EXPECT_FALSE(isFileName(std::string("a\0b", 3)));
-        EXPECT_TRUE(isFileName(std::string(benchmark::LONGEST_NAME, 'n')));
-        EXPECT_FALSE(isFileName(std::string(benchmark::LONGEST_NAME + 1, 'n')));
+        EXPECT_TRUE(isFileName(std::string(LONGEST_NAME, 'n')));
+        EXPECT_FALSE(isFileName(std::string(LONGEST_NAME + 1, 'n')));
     }
 
     RC_GTEST_PROP(FileNames, PartsOfNamesAreNoFoldersAndTellNamesApart, (const std::string &a, const std::string &b))
     {
         const std::string part = fileNamePart(a);
         RC_ASSERT(part.find('/') == std::string::npos);
-        RC_ASSERT(!benchmark::hasControlCharacter(part));
+        RC_ASSERT(!hasControlCharacter(part));
         RC_ASSERT((part == fileNamePart(b)) == (a == b));
     }
 

@@ -256,15 +256,7 @@ MFA.GAMMA = 0.25
             EXPECT_EQ(back.seed, 1234567U) << where;
             EXPECT_EQ(back.runCount, 1000U) << where;
         };
-        {
-            const ForeignStreams foreign;
-            expectSame("streams");
-        }
-        const ForeignLibrary foreign;
-        if (foreign.isThere())
-        {
-            expectSame("library");
-        }
+        inForeignLocales(expectSame);
     }
 
     TEST_F(Locale, ALogKeepsTheFormatOfItsStream)
@@ -301,15 +293,7 @@ MFA.GAMMA = 0.25
             }
             EXPECT_EQ(logHeadFrom(back.header.description).timeLimit, 0.125) << name;
         };
-        {
-            const ForeignStreams foreign;
-            expectSame("streams");
-        }
-        const ForeignLibrary foreign;
-        if (foreign.isThere())
-        {
-            expectSame("library");
-        }
+        inForeignLocales(expectSame);
     }
 
     TEST_F(Locale, ARunThatIsMeasuredHereIsTheSame)
@@ -336,15 +320,7 @@ MFA.GAMMA = 0.25
             EXPECT_EQ(back.pathCost, found.pathCost) << where;
             EXPECT_EQ(back.properties, found.properties) << where;
         };
-        {
-            const ForeignStreams foreign;
-            expectPlain("streams");
-        }
-        const ForeignLibrary foreign;
-        if (foreign.isThere())
-        {
-            expectPlain("library");
-        }
+        inForeignLocales(expectPlain);
     }
 
     TEST_F(Locale, PublishedCostsAreReadWhole)

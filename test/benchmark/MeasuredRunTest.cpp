@@ -80,7 +80,7 @@ namespace ompl_mfa::benchmark
                 RunLimits(), state);
             process.wait();
             EXPECT_EQ(process.termination(), campaign::RunTermination::Returned) << process.console();
-            return benchmark::readRunRecord(process.result());
+            return readRunRecord(process.result());
         }
 
         double number(const RunRecord &record, const std::string &property)
@@ -302,7 +302,7 @@ namespace ompl_mfa::benchmark
             RunLimits(), state);
         process.wait();
         ASSERT_EQ(process.termination(), campaign::RunTermination::Returned);
-        const RunRecord record = benchmark::readRunRecord(process.result());
+        const RunRecord record = readRunRecord(process.result());
         EXPECT_EQ(number(record, "solved BOOLEAN"), 0.0);
         EXPECT_EQ(record.properties.count("solution length REAL"), 0u);
         EXPECT_EQ(record.properties.count("simplified solution length REAL"), 0u);
@@ -348,7 +348,7 @@ namespace ompl_mfa::benchmark
         const double start = campaign::monotonicSeconds();
         process.wait();
         EXPECT_GT(campaign::monotonicSeconds() - start, 1.0) << "the path is measured";
-        const RunRecord record = benchmark::readRunRecord(process.result());
+        const RunRecord record = readRunRecord(process.result());
         EXPECT_EQ(number(record, "solved BOOLEAN"), 1.0);
         EXPECT_LT(number(record, "time REAL"), 0.8);
     }
@@ -363,14 +363,14 @@ namespace ompl_mfa::benchmark
     TEST(RunSeed, IsAFunctionOfBaseAndRun)
     {
         // SplitMix64 from state 1: the first outputs, computed independently, modulo 2^31 - 1.
-        EXPECT_EQ(benchmark::runSeed(1, 0), 10451216379200822465ULL % 0x7fffffffULL);
-        EXPECT_EQ(benchmark::runSeed(1, 1), 13757245211066428519ULL % 0x7fffffffULL);
+        EXPECT_EQ(runSeed(1, 0), 10451216379200822465ULL % 0x7fffffffULL);
+        EXPECT_EQ(runSeed(1, 1), 13757245211066428519ULL % 0x7fffffffULL);
         std::set<std::uint32_t> seeds;
         for (std::uint64_t base = 1; base <= 20; ++base)
         {
             for (unsigned int k = 0; k < 100; ++k)
             {
-                seeds.insert(benchmark::runSeed(base, k));
+                seeds.insert(runSeed(base, k));
             }
         }
         EXPECT_EQ(seeds.size(), 2000u);

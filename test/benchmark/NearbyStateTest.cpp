@@ -50,20 +50,17 @@ namespace ompl_mfa::benchmark
     namespace
     {
         namespace ob = ompl::base;
-        using benchmark::ConfigPose;
-        using benchmark::findNearbyState;
-        using benchmark::StateSpaceKind;
 
         /* A problem in which states are valid outside of a ball about the origin. */
         ob::SpaceInformationPtr ballProblem(StateSpaceKind kind, double radius, double high = 10.0)
         {
-            const unsigned int dimension = benchmark::positionDimension(kind);
+            const unsigned int dimension = positionDimension(kind);
             ob::RealVectorBounds bounds(dimension);
             bounds.setLow(-10.0);
             bounds.setHigh(high);
-            benchmark::ProblemConfig problem;
+            ProblemConfig problem;
             problem.space = kind;
-            const auto space = benchmark::makeStateSpace(problem, bounds);
+            const auto space = makeStateSpace(problem, bounds);
             const auto si = std::make_shared<ob::SpaceInformation>(space);
             si->setStateValidityChecker(
                 [space = space.get(), dimension, radius](const ob::State *state)

@@ -51,8 +51,6 @@ namespace ompl_mfa::benchmark
     namespace
     {
         namespace ob = ompl::base;
-        using benchmark::ObjectiveKind;
-        using benchmark::ProblemConfig;
 
         /* Valid everywhere; the clearance is x, and infinite above 5. */
         class ClearanceIsX : public ob::StateValidityChecker
@@ -88,7 +86,7 @@ namespace ompl_mfa::benchmark
             {
                 ProblemConfig problem;
                 problem.objective = kind;
-                return benchmark::makeObjective(si_, problem);
+                return makeObjective(si_, problem);
             }
 
             double cost(const ob::OptimizationObjectivePtr &objective, double x0, double y0, double x1, double y1) const
@@ -108,7 +106,7 @@ namespace ompl_mfa::benchmark
 
         TEST_F(ObjectiveFactory, NoObjectiveWhereTheConfigNamesNone)
         {
-            EXPECT_FALSE(benchmark::makeObjective(si_, ProblemConfig()));
+            EXPECT_FALSE(makeObjective(si_, ProblemConfig()));
         }
 
         TEST_F(ObjectiveFactory, EachNameIsItsOwnObjective)
@@ -125,7 +123,7 @@ namespace ompl_mfa::benchmark
             ProblemConfig problem;
             problem.objective = ObjectiveKind::Weighted;
             problem.objectiveWeights = {{ObjectiveKind::Proximity, 1.0}};
-            const auto objective = benchmark::makeObjective(si_, problem);
+            const auto objective = makeObjective(si_, problem);
             EXPECT_NEAR(cost(objective, 0, 0, 4, 0), std::log(5.0), 5e-3);
             EXPECT_NEAR(cost(objective, 6, 0, 6, 8), 0.0, 1e-12) << "nothing is near where the clearance is infinite";
         }
@@ -135,8 +133,7 @@ namespace ompl_mfa::benchmark
             ProblemConfig problem;
             problem.objective = ObjectiveKind::Weighted;
             problem.objectiveWeights = {{ObjectiveKind::Length, 2.0}, {ObjectiveKind::Proximity, 3.0}};
-            EXPECT_NEAR(cost(benchmark::makeObjective(si_, problem), 0, 0, 4, 0), 2.0 * 4.0 + 3.0 * std::log(5.0),
-                        1e-2);
+            EXPECT_NEAR(cost(makeObjective(si_, problem), 0, 0, 4, 0), 2.0 * 4.0 + 3.0 * std::log(5.0), 1e-2);
         }
 
         TEST_F(ObjectiveFactory, ThresholdIsTheConfigs)
@@ -144,7 +141,7 @@ namespace ompl_mfa::benchmark
             ProblemConfig problem;
             problem.objective = ObjectiveKind::Length;
             problem.objectiveThreshold = 7.5;
-            EXPECT_EQ(benchmark::makeObjective(si_, problem)->getCostThreshold().value(), 7.5);
+            EXPECT_EQ(makeObjective(si_, problem)->getCostThreshold().value(), 7.5);
         }
     }  // namespace
 }  // namespace ompl_mfa::benchmark

@@ -74,7 +74,7 @@ namespace ompl_mfa::benchmark
         const auto setup = test::planarProblem();
         setup->getSpaceInformation()->setup();
         auto path = pathThrough(*setup, {{0, 0}, {3, 0}, {3, 0.1}, {3, 4}});
-        auto resampled = benchmark::resamplePath(path, 0.5);
+        auto resampled = resamplePath(path, 0.5);
         ASSERT_EQ(resampled.getStateCount(), 15u);  // 7 units in 14 motions
         for (std::size_t i = 0; i < 15; ++i)
         {
@@ -88,10 +88,10 @@ namespace ompl_mfa::benchmark
     {
         const auto setup = test::planarProblem();
         setup->getSpaceInformation()->setup();
-        EXPECT_EQ(benchmark::resamplePath(pathThrough(*setup, {{1, 1}}), 0.1).getStateCount(), 1u);
-        EXPECT_EQ(benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}}), 0.1).getStateCount(), 2u);
+        EXPECT_EQ(resamplePath(pathThrough(*setup, {{1, 1}}), 0.1).getStateCount(), 1u);
+        EXPECT_EQ(resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}}), 0.1).getStateCount(), 2u);
         // Repeated vertices, first, last and within.
-        auto path = benchmark::resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}, {2, 1}, {2, 1}, {3, 1}, {3, 1}}), 1.0);
+        auto path = resamplePath(pathThrough(*setup, {{1, 1}, {1, 1}, {2, 1}, {2, 1}, {3, 1}, {3, 1}}), 1.0);
         ASSERT_EQ(path.getStateCount(), 3u);
         EXPECT_NEAR(coordinates(path.getState(1))[0], 2.0, 1e-12);
     }
@@ -103,7 +103,7 @@ namespace ompl_mfa::benchmark
         // Passes the disc at distance 2 from the centre, in the middle of its only motion.
         auto path = pathThrough(*setup, {{0, 7}, {10, 7}});
         const double step = setup->getStateSpace()->getLongestValidSegmentLength();
-        EXPECT_NEAR(benchmark::measurePath(path).minimumClearance, 1.0, step * step);
+        EXPECT_NEAR(measurePath(path).minimumClearance, 1.0, step * step);
         EXPECT_GT(path.clearance(), 4.0);  // OMPL's own: the mean over the two ends
     }
 
@@ -113,13 +113,13 @@ namespace ompl_mfa::benchmark
         setup->getSpaceInformation()->setup();
         auto coarse = pathThrough(*setup, {{0, 1}, {5, 1}, {9, 3}});
         auto fine = pathThrough(*setup, {{0, 1}, {1, 1}, {2.5, 1}, {5, 1}, {7, 2}, {9, 3}});
-        const auto a = benchmark::measurePath(coarse);
-        const auto b = benchmark::measurePath(fine);
+        const auto a = measurePath(coarse);
+        const auto b = measurePath(fine);
         EXPECT_NEAR(a.smoothness, b.smoothness, 1e-6 * a.smoothness);
         EXPECT_GT(a.smoothness, 0.0);
         EXPECT_EQ(a.minimumClearance, b.minimumClearance);
         EXPECT_GT(std::abs(coarse.smoothness() - fine.smoothness()), 0.01);
 
-        EXPECT_NEAR(benchmark::measurePath(pathThrough(*setup, {{0, 1}, {9, 1}})).smoothness, 0.0, 1e-9);
+        EXPECT_NEAR(measurePath(pathThrough(*setup, {{0, 1}, {9, 1}})).smoothness, 0.0, 1e-9);
     }
 }  // namespace ompl_mfa::benchmark

@@ -58,7 +58,6 @@ namespace ompl_mfa::benchmark
     namespace
     {
         namespace ob = ompl::base;
-        using benchmark::PlannerSpec;
         using test::inputErrorOf;
 
         template <typename Space>
@@ -72,12 +71,12 @@ namespace ompl_mfa::benchmark
 
         ob::SpaceInformationPtr square()
         {
-            benchmark::ProblemConfig problem;
-            problem.space = benchmark::StateSpaceKind::R2;
+            ProblemConfig problem;
+            problem.space = StateSpaceKind::R2;
             ob::RealVectorBounds bounds(2);
             bounds.setLow(0.0);
             bounds.setHigh(10.0);
-            return inSpace(benchmark::makeStateSpace(problem, bounds));
+            return inSpace(makeStateSpace(problem, bounds));
         }
 
         template <typename Space>
@@ -91,32 +90,32 @@ namespace ompl_mfa::benchmark
             return inSpace(space);
         }
 
-        PlannerSpec spec(const std::string &type, std::vector<benchmark::ConfigEntry> parameters = {})
+        PlannerSpec spec(const std::string &type, std::vector<ConfigEntry> parameters = {})
         {
             return {type, "", "a.cfg:9", std::move(parameters), {}};
         }
 
         std::string errorOf(const std::string &type, const std::string &key, const std::string &value)
         {
-            return inputErrorOf([&] { benchmark::createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}})); });
+            return inputErrorOf([&] { createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}})); });
         }
 
         TEST(PlannerFactory, MakesEveryPlannerItNames)
         {
-            const auto names = benchmark::plannerNames();
+            const auto names = plannerNames();
             EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
             const auto si = square();
             for (const auto &name : names)
             {
-                const ob::PlannerPtr planner = benchmark::createPlanner(si, spec(name));
+                const ob::PlannerPtr planner = createPlanner(si, spec(name));
                 ASSERT_TRUE(planner) << name;
-                EXPECT_EQ(planner->getName(), benchmark::plannerTitle(name)) << name;
+                EXPECT_EQ(planner->getName(), plannerTitle(name)) << name;
             }
         }
 
         TEST(PlannerFactory, KnowsThePlannersOfTheBenchmarkProgramAndThoseItDrops)
         {
-            const auto names = benchmark::plannerNames();
+            const auto names = plannerNames();
             for (const char *name : {"rrtconnect", "lazyrrt",    "lazyprm",
                                      "kpiece",     "bkpiece",    "lbkpiece",
                                      "est",        "biest",      "projest",
@@ -154,7 +153,7 @@ namespace ompl_mfa::benchmark
             goal[0] = 8.0;
             start[1] = goal[1] = 3.0;
             pdef->setStartAndGoalStates(start, goal, 0.5);
-            const ob::PlannerPtr planner = benchmark::createPlanner(si, spec(name));
+            const ob::PlannerPtr planner = createPlanner(si, spec(name));
             planner->setProblemDefinition(pdef);
             planner->setup();
             for (int attempt = 0; attempt < 50 && !pdef->hasSolution(); ++attempt)
@@ -167,7 +166,7 @@ namespace ompl_mfa::benchmark
         /* Each in a process of its own: assertions in OMPL 1.5.2's LazyLBTRRT and AIT* fail every now and then. */
         TEST(PlannerFactory, EveryPlannerSolvesASquareWithAWall)
         {
-            for (const auto &name : benchmark::plannerNames())
+            for (const auto &name : plannerNames())
             {
                 const pid_t child = ::fork();
                 ASSERT_GE(child, 0);
@@ -188,8 +187,7 @@ namespace ompl_mfa::benchmark
             PlannerSpec wanted = spec("rrtstar", {{"range", "0.25", "a.cfg:10"}, {"Goal_Bias", "0.5", "a.cfg:11"}});
             wanted.name = "RRT*";
             wanted.parameters.push_back({"tree_pruning", "on", "a.cfg:12"});
-            const auto planner =
-                std::dynamic_pointer_cast<ompl::geometric::RRTstar>(benchmark::createPlanner(square(), wanted));
+            const auto planner = std::dynamic_pointer_cast<ompl::geometric::RRTstar>(createPlanner(square(), wanted));
             ASSERT_TRUE(planner);
             EXPECT_EQ(planner->getName(), "RRT*");
             EXPECT_EQ(planner->getRange(), 0.25);
@@ -200,8 +198,8 @@ namespace ompl_mfa::benchmark
         TEST(PlannerFactory, ParametersOfOnePlannerDoNotReachTheNext)
         {
             const auto si = square();
-            benchmark::createPlanner(si, spec("rrtstar", {{"goal_bias", "0.5", "a.cfg:10"}}));
-            const auto next = benchmark::createPlanner(si, spec("rrtstar"));
+            createPlanner(si, spec("rrtstar", {{"goal_bias", "0.5", "a.cfg:10"}}));
+            const auto next = createPlanner(si, spec("rrtstar"));
             EXPECT_EQ(next->as<ompl::geometric::RRTstar>()->getGoalBias(), 0.05);
         }
 
@@ -257,9 +255,7 @@ namespace ompl_mfa::benchmark
             const auto valueOf = [](const std::string &type, const std::string &key, const std::string &value)
             {
                 std::string text;
-                benchmark::createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}}))
-                    ->params()
-                    .getParam(key, text);
+                createPlanner(square(), spec(type, {{key, value, "a.cfg:10"}}))->params().getParam(key, text);
                 return text;
             };
             const std::vector<std::pair<std::string, std::string>> switches = {
@@ -293,9 +289,9 @@ namespace ompl_mfa::benchmark
         TEST(PlannerFactory, UnknownAndUnavailablePlannersAreRefused)
         {
             const auto si = square();
-            EXPECT_EQ(inputErrorOf([&] { benchmark::createPlanner(si, spec("rrtconect")); }),
+            EXPECT_EQ(inputErrorOf([&] { createPlanner(si, spec("rrtconect")); }),
                       "a.cfg:9: unknown planner 'rrtconect'; did you mean 'rrtconnect'?");
-            EXPECT_EQ(inputErrorOf([&] { benchmark::createPlanner(si, spec("thunder")); }),
+            EXPECT_EQ(inputErrorOf([&] { createPlanner(si, spec("thunder")); }),
                       "a.cfg:9: planner 'thunder' is not available: it needs a database of experiences");
         }
 
@@ -306,28 +302,27 @@ namespace ompl_mfa::benchmark
                 std::vector<ob::StateSpacePtr>{part, part}, std::vector<double>{1.0, 1.0}));
             for (const char *name : {"kpiece", "sbl", "pdst", "projest", "lbkpiece"})
             {
-                EXPECT_NE(inputErrorOf([&] { benchmark::createPlanner(rotations, spec(name)); }).find("projection"),
+                EXPECT_NE(inputErrorOf([&] { createPlanner(rotations, spec(name)); }).find("projection"),
                           std::string::npos)
                     << name;
             }
-            EXPECT_NE(inputErrorOf([&] { benchmark::createPlanner(rotations, spec("tsrrt")); }), "");
+            EXPECT_NE(inputErrorOf([&] { createPlanner(rotations, spec("tsrrt")); }), "");
 
             const auto dubins = carSpace<ob::DubinsStateSpace>();
             const auto reedsShepp = carSpace<ob::ReedsSheppStateSpace>();
             for (const char *name : {"prm", "prmstar", "biest", "sbl", "spars"})
             {
-                EXPECT_NE(inputErrorOf([&] { benchmark::createPlanner(dubins, spec(name)); }).find("backwards"),
-                          std::string::npos)
+                EXPECT_NE(inputErrorOf([&] { createPlanner(dubins, spec(name)); }).find("backwards"), std::string::npos)
                     << name;
-                EXPECT_TRUE(benchmark::createPlanner(reedsShepp, spec(name))) << name;
+                EXPECT_TRUE(createPlanner(reedsShepp, spec(name))) << name;
             }
-            EXPECT_NE(inputErrorOf([&] { benchmark::createPlanner(dubins, spec("lazylbtrrt")); }), "");
-            EXPECT_TRUE(benchmark::createPlanner(dubins, spec("rrtconnect")));
+            EXPECT_NE(inputErrorOf([&] { createPlanner(dubins, spec("lazylbtrrt")); }), "");
+            EXPECT_TRUE(createPlanner(dubins, spec("rrtconnect")));
         }
 
         TEST(PlannerFactory, ParametersHaveTypesRangesAndDefaults)
         {
-            const auto parameters = benchmark::plannerParameters("rrtstar");
+            const auto parameters = plannerParameters("rrtstar");
             const auto find = [&parameters](const std::string &name)
             {
                 return *std::find_if(parameters.begin(), parameters.end(),
@@ -346,7 +341,7 @@ namespace ompl_mfa::benchmark
             const std::regex range(number + ":" + number + ":" + number + "|\\w+(,\\w+)+");
             for (const char *name : {"mfa", "mfa_paper", "fa_paper"})
             {
-                for (const auto &parameter : benchmark::plannerParameters(name))
+                for (const auto &parameter : plannerParameters(name))
                 {
                     EXPECT_TRUE(std::regex_match(parameter.range, range)) << name << "." << parameter.name;
                 }
@@ -357,7 +352,7 @@ namespace ompl_mfa::benchmark
         {
             for (const char *name : {"mfa_paper", "fa_paper"})
             {
-                for (const auto &parameter : benchmark::plannerParameters(name))
+                for (const auto &parameter : plannerParameters(name))
                 {
                     if (parameter.name == "guide")
                     {
@@ -373,13 +368,13 @@ namespace ompl_mfa::benchmark
 
         TEST(PlannerFactory, SeedsPlannersThatHaveASeed)
         {
-            const auto mfa = benchmark::createPlanner(square(), spec("mfa"));
-            benchmark::seedPlanner(*mfa, 77);
+            const auto mfa = createPlanner(square(), spec("mfa"));
+            seedPlanner(*mfa, 77);
             std::string seed;
             ASSERT_TRUE(mfa->params().getParam("seed", seed));
             EXPECT_EQ(seed, "77");
-            const auto rrt = benchmark::createPlanner(square(), spec("rrt"));
-            EXPECT_NO_THROW(benchmark::seedPlanner(*rrt, 77));
+            const auto rrt = createPlanner(square(), spec("rrt"));
+            EXPECT_NO_THROW(seedPlanner(*rrt, 77));
         }
     }  // namespace
 }  // namespace ompl_mfa::benchmark

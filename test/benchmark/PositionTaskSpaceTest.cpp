@@ -61,7 +61,7 @@ namespace ompl_mfa::benchmark
 
         TEST(PositionTaskSpace, SamplesWithinTheBounds)
         {
-            const benchmark::PositionTaskSpace task(rigidBody());
+            const PositionTaskSpace task(rigidBody());
             ASSERT_EQ(task.getDimension(), 3);
             Eigen::VectorXd position(3);
             Eigen::VectorXd lower = Eigen::VectorXd::Constant(3, 2.0);
@@ -81,7 +81,7 @@ namespace ompl_mfa::benchmark
         TEST(PositionTaskSpace, LiftingAndProjectingIsTheIdentity)
         {
             const auto si = rigidBody();
-            const benchmark::PositionTaskSpace task(si);
+            const PositionTaskSpace task(si);
             ob::ScopedState<ob::SE3StateSpace> state(si);
             Eigen::VectorXd back(3);
             Eigen::VectorXd position(3);
@@ -95,7 +95,7 @@ namespace ompl_mfa::benchmark
         TEST(PositionTaskSpace, RefusesSpacesWithoutPosition)
         {
             const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SO2StateSpace>());
-            EXPECT_THROW(benchmark::PositionTaskSpace task(si), ompl::Exception);
+            EXPECT_THROW(PositionTaskSpace task(si), ompl::Exception);
         }
     }  // namespace
 }  // namespace ompl_mfa::benchmark

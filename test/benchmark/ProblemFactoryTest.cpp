@@ -61,8 +61,6 @@ namespace ompl_mfa::benchmark
     {
         namespace ob = ompl::base;
         namespace fs = std::filesystem;
-        using benchmark::BenchmarkConfig;
-        using benchmark::ProblemFactory;
         using test::inputErrorOf;
 
         const std::string WALL =
@@ -99,7 +97,7 @@ namespace ompl_mfa::benchmark
             BenchmarkConfig config(const std::string &text) const
             {
                 write("a.cfg", text);
-                return benchmark::readBenchmarkConfig(folder_ / "a.cfg");
+                return readBenchmarkConfig(folder_ / "a.cfg");
             }
 
             std::string errorOf(const std::string &text) const
@@ -353,7 +351,7 @@ namespace ompl_mfa::benchmark
 
         TEST_F(ProblemFactoryTest, SeedZeroIsRefused)
         {
-            EXPECT_NE(inputErrorOf([] { benchmark::setRandomSeed(0); }), "");
+            EXPECT_NE(inputErrorOf([] { setRandomSeed(0); }), "");
         }
 
         fs::path omplapp()
@@ -371,7 +369,7 @@ namespace ompl_mfa::benchmark
             for (const char *name : {"2D/Barriers", "2D/RandomPolygons_planar", "3D/Easy", "3D/Twistycool",
                                      "3D/cubicles", "3D/cubicles_opt"})
             {
-                const ProblemFactory factory(benchmark::readBenchmarkConfig(omplapp() / (std::string(name) + ".cfg")));
+                const ProblemFactory factory(readBenchmarkConfig(omplapp() / (std::string(name) + ".cfg")));
                 EXPECT_FALSE(factory.config().planners.empty()) << name;
                 for (const auto &spec : factory.config().planners)
                 {
@@ -392,7 +390,7 @@ namespace ompl_mfa::benchmark
                  {"2D/Barriers", "2D/RandomPolygons_planar", "3D/Easy", "3D/Twistycool", "3D/cubicles"})
             {
                 const auto setup =
-                    ProblemFactory(benchmark::readBenchmarkConfig(omplapp() / (std::string(name) + ".cfg"))).create();
+                    ProblemFactory(readBenchmarkConfig(omplapp() / (std::string(name) + ".cfg"))).create();
                 std::ifstream in(omplapp() / (std::string(name) + ".path"));
                 ob::ScopedState<> state(setup->getStateSpace());
                 std::vector<double> values(setup->getStateSpace()->getDimension() == 6 ? 7 : 3);

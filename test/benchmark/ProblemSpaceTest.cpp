@@ -50,9 +50,6 @@ namespace ompl_mfa::benchmark
     namespace
     {
         namespace ob = ompl::base;
-        using benchmark::ConfigPose;
-        using benchmark::ProblemConfig;
-        using benchmark::StateSpaceKind;
 
         const double PI = std::acos(-1.0);
 
@@ -61,10 +58,10 @@ namespace ompl_mfa::benchmark
             ProblemConfig problem;
             problem.space = kind;
             problem.turningRadius = turningRadius;
-            ob::RealVectorBounds bounds(benchmark::positionDimension(kind));
+            ob::RealVectorBounds bounds(positionDimension(kind));
             bounds.setLow(-10.0);
             bounds.setHigh(10.0);
-            return benchmark::makeStateSpace(problem, bounds);
+            return makeStateSpace(problem, bounds);
         }
 
         TEST(ProblemSpace, EachKindIsItsOwnSpace)
@@ -88,8 +85,8 @@ namespace ompl_mfa::benchmark
             for (const auto kind : {StateSpaceKind::Dubins, StateSpaceKind::DubinsSymmetric})
             {
                 const auto space = spaceOf(kind, 2.5);
-                const auto a = benchmark::makeState(space, kind, from);
-                const auto b = benchmark::makeState(space, kind, to);
+                const auto a = makeState(space, kind, from);
+                const auto b = makeState(space, kind, to);
                 EXPECT_NEAR(space->distance(a.get(), b.get()), 2.5 * PI, 1e-9) << "half a circle";
             }
         }
@@ -103,7 +100,7 @@ namespace ompl_mfa::benchmark
                 {
                     ConfigPose pose;
                     pose.theta = theta;
-                    const auto state = benchmark::makeState(space, kind, pose);
+                    const auto state = makeState(space, kind, pose);
                     EXPECT_TRUE(space->satisfiesBounds(state.get())) << theta;
                     const double yaw = state->as<ob::SE2StateSpace::StateType>()->getYaw();
                     EXPECT_NEAR(std::cos(yaw), std::cos(theta), 1e-9);
@@ -120,7 +117,7 @@ namespace ompl_mfa::benchmark
             pose.axis[1] = 20.0;
             pose.axis[2] = 0.0;
             pose.theta = PI / 2 + 4 * PI;
-            const auto state = benchmark::makeState(space, StateSpaceKind::SE3, pose);
+            const auto state = makeState(space, StateSpaceKind::SE3, pose);
             EXPECT_TRUE(space->satisfiesBounds(state.get()));
             const auto &rotation = state->as<ob::SE3StateSpace::StateType>()->rotation();
             EXPECT_NEAR(std::abs(rotation.y), std::sqrt(0.5), 1e-12);
@@ -132,7 +129,7 @@ namespace ompl_mfa::benchmark
             const auto space = spaceOf(StateSpaceKind::SE2);
             ConfigPose pose;
             pose.x = 11.0;
-            EXPECT_FALSE(space->satisfiesBounds(benchmark::makeState(space, StateSpaceKind::SE2, pose).get()));
+            EXPECT_FALSE(space->satisfiesBounds(makeState(space, StateSpaceKind::SE2, pose).get()));
         }
 
         TEST(ProblemSpace, RotationWeightScalesTheRotationInTheDistance)
@@ -143,11 +140,11 @@ namespace ompl_mfa::benchmark
             ob::RealVectorBounds bounds(2);
             bounds.setLow(0.0);
             bounds.setHigh(1.0);
-            const auto space = benchmark::makeStateSpace(problem, bounds);
+            const auto space = makeStateSpace(problem, bounds);
             ConfigPose turned;
             turned.theta = 0.5;
-            EXPECT_NEAR(space->distance(benchmark::makeState(space, problem.space, {}).get(),
-                                        benchmark::makeState(space, problem.space, turned).get()),
+            EXPECT_NEAR(space->distance(makeState(space, problem.space, {}).get(),
+                                        makeState(space, problem.space, turned).get()),
                         1.5, 1e-12);
         }
 
@@ -165,9 +162,9 @@ namespace ompl_mfa::benchmark
                 pose.y = -2.0;
                 pose.z = 3.0;
                 const auto projection = space->getDefaultProjection();
-                ASSERT_EQ(projection->getDimension(), benchmark::positionDimension(kind));
+                ASSERT_EQ(projection->getDimension(), positionDimension(kind));
                 Eigen::VectorXd position(projection->getDimension());
-                projection->project(benchmark::makeState(space, kind, pose).get(), position);
+                projection->project(makeState(space, kind, pose).get(), position);
                 EXPECT_EQ(position[0], 1.0);
                 EXPECT_EQ(position[1], -2.0);
             }
@@ -179,10 +176,10 @@ namespace ompl_mfa::benchmark
             pose.x = 1.5;
             pose.z = 3.0;
             pose.theta = 0.5;
-            EXPECT_EQ(benchmark::describePose(StateSpaceKind::R2, pose), "(1.5, 0)");
-            EXPECT_EQ(benchmark::describePose(StateSpaceKind::R3, pose), "(1.5, 0, 3)");
-            EXPECT_EQ(benchmark::describePose(StateSpaceKind::Dubins, pose), "(1.5, 0, theta 0.5)");
-            EXPECT_EQ(benchmark::describePose(StateSpaceKind::SE3, pose), "(1.5, 0, 3, theta 0.5)");
+            EXPECT_EQ(describePose(StateSpaceKind::R2, pose), "(1.5, 0)");
+            EXPECT_EQ(describePose(StateSpaceKind::R3, pose), "(1.5, 0, 3)");
+            EXPECT_EQ(describePose(StateSpaceKind::Dubins, pose), "(1.5, 0, theta 0.5)");
+            EXPECT_EQ(describePose(StateSpaceKind::SE3, pose), "(1.5, 0, 3, theta 0.5)");
         }
     }  // namespace
 }  // namespace ompl_mfa::benchmark

@@ -67,9 +67,9 @@ namespace ompl_mfa::benchmark
     TEST(RunRecord, ComesBackAsItWas)
     {
         const RunRecord before = someRecord(3);
-        const std::string line = benchmark::writeRunRecord(before);
+        const std::string line = writeRunRecord(before);
         EXPECT_EQ(line.find('\n'), std::string::npos);
-        const RunRecord after = benchmark::readRunRecord(line);
+        const RunRecord after = readRunRecord(line);
         EXPECT_EQ(after.planner, before.planner);
         EXPECT_EQ(after.run, before.run);
         EXPECT_EQ(after.seed, before.seed);
@@ -85,7 +85,7 @@ namespace ompl_mfa::benchmark
         EXPECT_EQ(after.progress[1].values, before.progress[1].values);
         EXPECT_EQ(after.path, before.path);
         EXPECT_EQ(after.pathCost, before.pathCost);
-        EXPECT_THROW(benchmark::readRunRecord("{}"), std::invalid_argument);
-        EXPECT_THROW(benchmark::readRunRecord(line.substr(0, line.size() / 2)), std::invalid_argument);
+        EXPECT_THROW(readRunRecord("{}"), std::invalid_argument);
+        EXPECT_THROW(readRunRecord(line.substr(0, line.size() / 2)), std::invalid_argument);
     }
 }  // namespace ompl_mfa::benchmark

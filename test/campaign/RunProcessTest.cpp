@@ -200,7 +200,7 @@ namespace ompl_mfa::campaign
     {
         RunLimits limits;
         limits.solve = 0.3;
-        const double start = campaign::monotonicSeconds();
+        const double start = monotonicSeconds();
         const auto process = runToEnd(
             [](RunState &state) -> std::string
             {
@@ -211,7 +211,7 @@ namespace ompl_mfa::campaign
             limits);
         EXPECT_EQ(process->termination(), RunTermination::TimeLimit);
         EXPECT_EQ(process->signal(), SIGKILL);
-        EXPECT_GE(campaign::monotonicSeconds() - start, 0.3);
+        EXPECT_GE(monotonicSeconds() - start, 0.3);
         EXPECT_GE(process->phaseTime(), 0.3);
     }
 

@@ -298,7 +298,6 @@ namespace ompl_mfa::cli
 
     TEST(Figure, TheExtensionIsTheFormat)
     {
-        using cli::pictureFormat;
         EXPECT_EQ(pictureFormat("a.b/c.svg"), PictureFormat::SVG);
         EXPECT_EQ(pictureFormat("C.PNG"), PictureFormat::PNG);
         EXPECT_EQ(pictureFormat("a.svg.pdf"), PictureFormat::PDF);

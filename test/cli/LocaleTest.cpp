@@ -78,10 +78,10 @@ namespace ompl_mfa::cli
             static std::string printed(std::vector<std::string> arguments)
             {
                 CLI::App app{"test", "ompl_mfa"};
-                cli::addBenchmarkCommand(app);
-                cli::addCheckCommand(app);
-                cli::addOptimizeCommand(app);
-                cli::addPlanCommand(app);
+                addBenchmarkCommand(app);
+                addCheckCommand(app);
+                addOptimizeCommand(app);
+                addPlanCommand(app);
                 std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
                 std::string message;
                 testing::internal::CaptureStdout();
@@ -155,24 +155,16 @@ namespace ompl_mfa::cli
 
     TEST_F(Locale, PicturesHavePointsInTheirNumbers)
     {
-        cli::Axes axes("title", "x (m)", "y (m)", {0.0, 0.0}, {12000.0, 900.5});
+        Axes axes("title", "x (m)", "y (m)", {0.0, 0.0}, {12000.0, 900.5});
         axes.addPolyline({{0.0, 0.0}, {6000.5, 0.25}}, {0x000000, 0.75, std::nullopt, 0.5}, "a line");
         axes.addMarkers({{10.0, 0.25}}, 2.5, {0x000000, 0.75, std::nullopt, 0.5}, "a point");
-        cli::Figure figure;
+        Figure figure;
         figure.addAxes(axes);
-        using cli::PictureFormat;
         for (const auto format : {PictureFormat::SVG, PictureFormat::PNG, PictureFormat::PDF})
         {
             const std::string expected = withoutSurface(figure.render(format));
-            {
-                const test::ForeignStreams foreign;
-                EXPECT_EQ(withoutSurface(figure.render(format)), expected);
-            }
-            const test::ForeignLibrary foreign;
-            if (foreign.isThere())
-            {
-                EXPECT_EQ(withoutSurface(figure.render(format)), expected);
-            }
+            test::inForeignLocales([&](const char *where)
+                                   { EXPECT_EQ(withoutSurface(figure.render(format)), expected) << where; });
         }
     }
 }  // namespace ompl_mfa::cli

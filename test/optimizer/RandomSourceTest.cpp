@@ -69,7 +69,7 @@ namespace ompl_mfa::optimizer
             }
         }
         EXPECT_EQ(seeds.size(), 8000U);
-        // of 8000 random numbers of 32 bits 0.007 pairs are equal in the mean
+        // of 8000 random numbers of 32 bits 0.007 pairs are equal on average
         EXPECT_GE(lowHalves.size(), 7999U);
     }
 

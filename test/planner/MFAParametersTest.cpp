@@ -338,7 +338,7 @@ namespace ompl_mfa::planner
         TEST_F(Parameters, NumbersAreReadTheSameInEveryLocale)
         {
             const std::locale before =
-                std::locale::global(std::locale(std::locale::classic(), new ompl_mfa::test::GermanPunctuation));
+                std::locale::global(std::locale(std::locale::classic(), new test::GermanPunctuation));
             EXPECT_TRUE(planner_.params().setParam("gamma", "0.125"));
             EXPECT_TRUE(planner_.params().setParam("generations", "2000"));
             const std::string gamma = value("gamma");

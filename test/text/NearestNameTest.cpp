@@ -45,12 +45,12 @@ namespace ompl_mfa::text
     TEST(NearestName, IsTheLeastEditedOne)
     {
         const std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm", "prmstar"};
-        EXPECT_EQ(text::nearestName("rrtconect", known), "rrtconnect");
-        EXPECT_EQ(text::nearestName("prm*", known), "prm");
-        EXPECT_EQ(text::nearestName("rttstar", known), "rrtstar");
-        EXPECT_EQ(text::nearestName("rrt", known), "rrtstar");
-        EXPECT_EQ(text::nearestName("", known), "");
-        EXPECT_EQ(text::nearestName("zzzzzzzzzzzzzzzz", known), "");
+        EXPECT_EQ(nearestName("rrtconect", known), "rrtconnect");
+        EXPECT_EQ(nearestName("prm*", known), "prm");
+        EXPECT_EQ(nearestName("rttstar", known), "rrtstar");
+        EXPECT_EQ(nearestName("rrt", known), "rrtstar");
+        EXPECT_EQ(nearestName("", known), "");
+        EXPECT_EQ(nearestName("zzzzzzzzzzzzzzzz", known), "");
     }
 
     TEST(NearestName, GuessesOnlyWhatIsClose)
@@ -65,14 +65,13 @@ namespace ompl_mfa::text
     TEST(NearestName, AllAreAcceptedWhereTheyAreFewOrNoneIsNear)
     {
         std::vector<std::string> known = {"rrtconnect", "rrtstar", "prm"};
-        EXPECT_EQ(text::suggestion("prn", known), "; did you mean 'prm'? accepted: rrtconnect, rrtstar, prm");
+        EXPECT_EQ(suggestion("prn", known), "; did you mean 'prm'? accepted: rrtconnect, rrtstar, prm");
         while (known.size() <= 10)
         {
             known.push_back("a" + std::to_string(known.size()));
         }
-        EXPECT_EQ(text::suggestion("prn", known), "; did you mean 'prm'?");
-        EXPECT_EQ(text::suggestion("zzzzzz", known),
-                  "; accepted: rrtconnect, rrtstar, prm, a3, a4, a5, a6, a7, a8, a9, a10");
+        EXPECT_EQ(suggestion("prn", known), "; did you mean 'prm'?");
+        EXPECT_EQ(suggestion("zzzzzz", known), "; accepted: rrtconnect, rrtstar, prm, a3, a4, a5, a6, a7, a8, a9, a10");
     }
 
     TEST(NearestName, ThrowsOnlyForUnknownNames)
