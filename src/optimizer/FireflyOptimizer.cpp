@@ -63,9 +63,7 @@ namespace ompl_mfa
         {
             if (value >= lower && value <= upper)
             {
-                {
-                    return;
-                }
+                return;
             }
             const std::string least = text::numberText(lower, 6);
             refuse(setting, value,
@@ -87,16 +85,12 @@ namespace ompl_mfa
             {
                 if (!std::isfinite(lower[k]))
                 {
-                    {
-                        refuse(("lower[" + std::to_string(k) + "]").c_str(), lower[k], "finite");
-                    }
+                    refuse(("lower[" + std::to_string(k) + "]").c_str(), lower[k], "finite");
                 }
                 if (!std::isfinite(upper[k] - lower[k]) || upper[k] < lower[k])
                 {
-                    {
-                        refuse(("upper[" + std::to_string(k) + "]").c_str(), upper[k],
-                               "finite and at least the lower bound");
-                    }
+                    refuse(("upper[" + std::to_string(k) + "]").c_str(), upper[k],
+                           "finite and at least the lower bound");
                 }
             }
         }
@@ -107,15 +101,11 @@ namespace ompl_mfa
         const unsigned int smallest = variant == Variant::MFA ? 4 : 1;
         if (populationSize < smallest)
         {
-            {
-                refuse("populationSize", populationSize, "at least " + std::to_string(smallest));
-            }
+            refuse("populationSize", populationSize, "at least " + std::to_string(smallest));
         }
         if (generations < 1)
         {
-            {
-                refuse("generations", generations, "at least 1");
-            }
+            refuse("generations", generations, "at least 1");
         }
         requireInterval("gamma", gamma, 0.0, std::numeric_limits<double>::max());
         requireInterval("alpha", alpha, 0.0, 1.0);
@@ -155,33 +145,23 @@ namespace ompl_mfa
     {
         if (phase_ == Phase::Placing && !placeInitial(stop))
         {
-            {
-                return false;
-            }
+            return false;
         }
         if (phase_ == Phase::Initial)
         {
-            {
-                return evaluateInitial(objective, stop);
-            }
+            return evaluateInitial(objective, stop);
         }
         if (phase_ == Phase::Between && !beginGeneration(objective, stop))
         {
-            {
-                return false;
-            }
+            return false;
         }
         if (phase_ == Phase::Moving && !move(stop))
         {
-            {
-                return false;
-            }
+            return false;
         }
         if (phase_ == Phase::Moves && !evaluateMoves(objective, stop))
         {
-            {
-                return false;
-            }
+            return false;
         }
         return evaluateTrials(objective, stop) && endGeneration(objective, stop);
     }
@@ -190,9 +170,7 @@ namespace ompl_mfa
     {
         if (stop())
         {
-            {
-                return true;
-            }
+            return true;
         }
         operationsWhenAsked_ = operations_;
         return false;
@@ -207,16 +185,11 @@ namespace ompl_mfa
     {
         if (phase_ != Phase::Placing || cursor_ > 0)
         {
-            {
-                throw std::logic_error(
-                    "FireflyOptimizer: an unevaluated point can only be injected before the first step");
-            }
+            throw std::logic_error("FireflyOptimizer: an unevaluated point can only be injected before the first step");
         }
         if (injected_ == settings_.populationSize)
         {
-            {
-                throw std::logic_error("FireflyOptimizer: every member of the initial population was injected already");
-            }
+            throw std::logic_error("FireflyOptimizer: every member of the initial population was injected already");
         }
         population_.col(injected_++) = x.cwiseMax(lower_).cwiseMin(upper_);
     }
@@ -226,18 +199,14 @@ namespace ompl_mfa
     {
         if (phase_ == Phase::Placing || phase_ == Phase::Initial)
         {
-            {
-                throw std::logic_error("FireflyOptimizer: the initial population has not been evaluated yet");
-            }
+            throw std::logic_error("FireflyOptimizer: the initial population has not been evaluated yet");
         }
         unsigned int dimmest = 0;
         for (unsigned int i = 1; i < settings_.populationSize; ++i)
         {
             if (objective.isBrighter(brightness_[dimmest], brightness_[i]))
             {
-                {
-                    dimmest = i;
-                }
+                dimmest = i;
             }
         }
         moved_.col(dimmest) = x.cwiseMax(lower_).cwiseMin(upper_);
@@ -246,9 +215,7 @@ namespace ompl_mfa
         runLength_ = 0;
         if (phase_ == Phase::Between)
         {
-            {
-                sortByBrightness(objective, [] { return false; });
-            }
+            sortByBrightness(objective, [] { return false; });
         }
     }
 
@@ -261,16 +228,12 @@ namespace ompl_mfa
         {
             if (objective.isBrighter(brightness_[i], brightness_[brightest]))
             {
-                {
-                    brightest = i;
-                }
+                brightest = i;
             }
         }
         if (!objective.isBrighter(brightness_[brightest], bestBrightness_))
         {
-            {
-                return;
-            }
+            return;
         }
         best_ = population_.col(brightest);
         bestBrightness_ = brightness_[brightest];
@@ -304,9 +267,7 @@ namespace ompl_mfa
     {
         if (betaSchedule() == BetaSchedule::Constant)
         {
-            {
-                return settings_.eta;
-            }
+            return settings_.eta;
         }
         return std::max(0.0, settings_.eta - static_cast<double>(epochGeneration_) / settings_.generations);
     }
@@ -318,18 +279,14 @@ namespace ompl_mfa
         {
             if (askedIfDue(stop))
             {
-                {
-                    return false;
-                }
+                return false;
             }
             for (Eigen::Index k = 0; k < range_.size(); ++k)
             {
                 const double drawn = std::min(lower_[k] + range_[k] * random_.uniform(), upper_[k]);
                 if (cursor_ >= injected_)
                 {
-                    {
-                        population_(k, cursor_) = drawn;
-                    }
+                    population_(k, cursor_) = drawn;
                 }
             }
             operations_ += static_cast<std::uint64_t>(range_.size());
@@ -347,17 +304,13 @@ namespace ompl_mfa
         {
             if (asked(stop))
             {
-                {
-                    return false;
-                }
+                return false;
             }
             place(cursor_, population_.col(cursor_), evaluate(objective, population_.col(cursor_), nullptr), objective);
         }
         if (!sortByBrightness(objective, stop))
         {
-            {
-                return false;
-            }
+            return false;
         }
         phase_ = Phase::Between;
         return true;
@@ -367,15 +320,11 @@ namespace ompl_mfa
     {
         if (orderChanged_ && !sortByBrightness(objective, stop))
         {
-            {
-                return false;
-            }
+            return false;
         }
         if (epochGeneration_ == settings_.generations)
         {
-            {
-                restartEpoch();
-            }
+            restartEpoch();
         }
         // The brightest firefly has nothing to move toward; those that are equally bright move at random (rule 2 of the
         // paper).
@@ -397,9 +346,7 @@ namespace ompl_mfa
         {
             if (!moves_[order_[rank_]])
             {
-                {
-                    continue;
-                }
+                continue;
             }
             auto x = moved_.col(order_[rank_]);
             if (!moving_)
@@ -412,9 +359,7 @@ namespace ompl_mfa
             {
                 if (askedIfDue(stop))
                 {
-                    {
-                        return false;
-                    }
+                    return false;
                 }
                 if (movesLeft_ > 0)
                 {
@@ -429,9 +374,7 @@ namespace ompl_mfa
                 }
                 for (Eigen::Index k = 0; k < x.size(); ++k)
                 {
-                    {
-                        x[k] += alphaNow * range_[k] * (random_.uniform() - 0.5);
-                    }
+                    x[k] += alphaNow * range_[k] * (random_.uniform() - 0.5);
                 }
                 x = x.cwiseMax(lower_).cwiseMin(upper_);
                 operations_ += static_cast<std::uint64_t>(x.size());
@@ -448,23 +391,17 @@ namespace ompl_mfa
         {
             if (!moves_[cursor_])
             {
-                {
-                    continue;
-                }
+                continue;
             }
             if (asked(stop))
             {
-                {
-                    return false;
-                }
+                return false;
             }
             place(cursor_, moved_.col(cursor_), evaluate(objective, moved_.col(cursor_), nullptr), objective);
         }
         if (!sortByBrightness(objective, stop))
         {
-            {
-                return false;
-            }
+            return false;
         }
         cursor_ = settings_.variant == Variant::MFA ? 0 : settings_.populationSize;
         trial_ = 0;
@@ -481,9 +418,7 @@ namespace ompl_mfa
             {
                 if (askedIfDue(stop))
                 {
-                    {
-                        return false;
-                    }
+                    return false;
                 }
                 makeTrials(cursor_);
                 trialsMade_ = true;
@@ -494,23 +429,17 @@ namespace ompl_mfa
                 // A trial that took every component from F_i is not evaluated.
                 if (!settings_.trialVectors[trial_] || candidate == population_.col(cursor_))
                 {
-                    {
-                        continue;
-                    }
+                    continue;
                 }
                 if (asked(stop))
                 {
-                    {
-                        return false;
-                    }
+                    return false;
                 }
                 const Brightness rival = brightness_[cursor_];
                 const Brightness brightness = evaluate(objective, candidate, &rival);
                 if (objective.isBrighter(brightness, rival))
                 {
-                    {
-                        place(cursor_, candidate, brightness, objective);
-                    }
+                    place(cursor_, candidate, brightness, objective);
                 }
             }
         }
@@ -548,9 +477,7 @@ namespace ompl_mfa
         trials_.col(4) = delta * worst + psi * (best_ - worst);
         for (unsigned int trial = 0; trial < TRIAL_VECTORS; ++trial)
         {
-            {
-                trials_.col(trial) = trials_.col(trial).cwiseMax(lower_).cwiseMin(upper_);
-            }
+            trials_.col(trial) = trials_.col(trial).cwiseMax(lower_).cwiseMin(upper_);
         }
         operations_ += static_cast<std::uint64_t>(trials_.size());
     }
@@ -574,9 +501,7 @@ namespace ompl_mfa
     {
         if (settings_.variant == Variant::MFA && !sortByBrightness(objective, stop))
         {
-            {
-                return false;
-            }
+            return false;
         }
         ++generation_;
         ++epochGeneration_;
@@ -592,9 +517,7 @@ namespace ompl_mfa
         {
             if (objective.isBrighter(brightness_[a], brightness_[b]))
             {
-                {
-                    return true;
-                }
+                return true;
             }
             return a < b && !objective.isBrighter(brightness_[b], brightness_[a]);
         };
@@ -611,9 +534,7 @@ namespace ompl_mfa
             {
                 if (askedIfDue(stop))
                 {
-                    {
-                        return false;
-                    }
+                    return false;
                 }
                 const std::size_t middle = std::min(mergedUpTo_ + runLength_, size);
                 const std::size_t last = std::min(middle + runLength_, size);
