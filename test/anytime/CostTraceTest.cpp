@@ -51,7 +51,7 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
-        /* A planner that only shows a cost that the test sets. */
+        /* A planner that only reports a cost set by the test. */
         class ShowingPlanner : public ob::Planner
         {
         public:

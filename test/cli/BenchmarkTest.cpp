@@ -48,7 +48,7 @@ namespace ompl_mfa::cli
 {
     namespace
     {
-        /* A folder of its own with a config of the paper's scene. */
+        /* A separate folder with a config of the paper's scene. */
         class Benchmark : public testing::Test
         {
         protected:
