@@ -68,7 +68,7 @@ namespace ompl_mfa::paper
                 std::filesystem::remove_all(options_.outputFolder);
             }
 
-            /* Runs 1 to \e count, each with the process that made it and its parent. */
+            /* Runs 1 to \e count; each returns the ids of its process and of its parent. */
             static std::vector<StudyRun> runs(unsigned int count)
             {
                 std::vector<StudyRun> all;

@@ -67,7 +67,7 @@ namespace ompl_mfa::engine::fireflies
                 ASSERT_EQ(search_->begin(), ob::PlannerStatus::EXACT_SOLUTION);
             }
 
-            /* Turns until there is a goal state. */
+            /* Gives the part turns until there is a goal state. */
             bool find(int turns)
             {
                 for (int i = 0; i < turns && findings_.goals.empty(); ++i)
