@@ -136,7 +136,7 @@ namespace ompl_mfa::planner
 
         RC_GTEST_PROP(AcceptedValuesProperty, NoTextIsReadInPart, (std::string text))
         {
-            // what follows a number makes it none, whatever it is
+            // a number followed by anything else is no number
             RC_PRE(!text.empty() && text.find_first_of("0123456789.eE") == std::string::npos);
             double real = 7.0;
             unsigned int whole = 7;
