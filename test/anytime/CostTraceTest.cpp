@@ -123,7 +123,7 @@ namespace ompl_mfa::anytime
             EXPECT_EQ(log->entries[0].checks, checks);
             EXPECT_GT(checks, 0U);
         }
-        EXPECT_FALSE(problem.pdef->getIntermediateSolutionCallback()) << "nobody is left to hear it";
+        EXPECT_FALSE(problem.pdef->getIntermediateSolutionCallback()) << "the callback was removed";
     }
 
     TEST(CostTrace, ExpiresByItsClock)

@@ -227,7 +227,7 @@ namespace ompl_mfa::campaign
         EXPECT_NE(inputErrorOf([&] { make(tasks(1, 4)); }).find("has 3 runs of an interrupted campaign"),
                   std::string::npos);
         EXPECT_EQ(numbers().size(), 3u);
-        EXPECT_EQ(make(tasks(1, 3)).missing, 0u) << "one that is finished is made again";
+        EXPECT_EQ(make(tasks(1, 3)).missing, 0u) << "a finished campaign is run again";
         header_.campaign = "def";
         EXPECT_NE(inputErrorOf([&] { make(tasks(1, 3)); }).find("--overwrite"), std::string::npos);
         options_.resume = true;
@@ -247,7 +247,7 @@ namespace ompl_mfa::campaign
         EXPECT_NE(inputErrorOf([&] { make(tasks(1, 3)); }).find(options_.journal.string() + ":2: not a run"),
                   std::string::npos);
         std::ofstream(options_.journal).close();
-        EXPECT_EQ(make(tasks(1, 3)).missing, 0u) << "a file in which nothing stands is a new one";
+        EXPECT_EQ(make(tasks(1, 3)).missing, 0u) << "an empty file counts as a new one";
     }
 
     TEST_F(CampaignRuns, GoOnAfterBeingKilled)

@@ -133,7 +133,7 @@ namespace ompl_mfa::campaign
             std::vector<Json> records;
             readJournal(copy, keepIn(records));
             EXPECT_EQ(records.size(), whole);
-            EXPECT_EQ(std::filesystem::file_size(copy), size) << "who only reads leaves the file alone";
+            EXPECT_EQ(std::filesystem::file_size(copy), size) << "reading does not change the file";
             {
                 RunJournal journal(copy, ignore);
                 EXPECT_EQ(journal.header().duration, 1.5 * static_cast<double>(whole));
@@ -185,7 +185,7 @@ namespace ompl_mfa::campaign
         {
             const RunJournal journal(file, someHeader());
             EXPECT_NE(inputErrorOf([&] { RunJournal other(file, ignore); }).find("in use"), std::string::npos);
-            EXPECT_EQ(readJournal(file, ignore).campaign, "abc") << "reading is no harm";
+            EXPECT_EQ(readJournal(file, ignore).campaign, "abc") << "reading is allowed";
         }
         // A journal that could not be opened is not left locked.
         std::ofstream(file) << "hello\n";

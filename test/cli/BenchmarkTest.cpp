@@ -164,7 +164,7 @@ namespace ompl_mfa::cli
             runProgram("merge " + output + "x.log " + output + "part2.log --allow-missing --output " + output + "x.log")
                 .status,
             0)
-            << "what was joined can be joined again";
+            << "a merged campaign can be merged again";
     }
 
     TEST_F(Benchmark, ResumesOnlyWhatIsMissing)

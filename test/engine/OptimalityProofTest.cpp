@@ -181,7 +181,7 @@ namespace ompl_mfa::engine
             const auto searched = search(std::make_shared<Squared>(problem_->si));
             OptimalityProof proof(searched->context);
             offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
-            ASSERT_TRUE(searched->evaluator().bounds().admissible()) << "one motion says nothing of detours";
+            ASSERT_TRUE(searched->evaluator().bounds().admissible()) << "a single motion says nothing about detours";
             EXPECT_FALSE(proof.holds());
             EXPECT_FALSE(searched->evaluator().bounds().admissible());
         }

@@ -195,7 +195,7 @@ namespace ompl_mfa::engine
             beginAgain();
             query_.poll(inputs_);
             EXPECT_EQ(query_.goals().size(), 1U);
-            EXPECT_TRUE(query_.goalsComplete()) << "those that are invalid cannot come any more";
+            EXPECT_TRUE(query_.goalsComplete()) << "no more goals can follow";
         }
 
         TEST_F(QueryTest, AStateThatIsNoNumberIsNoneToPlanFrom)

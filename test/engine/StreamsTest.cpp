@@ -71,7 +71,7 @@ namespace ompl_mfa::engine
             const auto expectNew = [&first](std::uint64_t seed, const std::string &owner)
             {
                 const auto [other, isNew] = first.emplace(RandomSource(seed).uniform(), owner);
-                EXPECT_TRUE(isNew) << owner << " draws what " << other->second << " does";
+                EXPECT_TRUE(isNew) << owner << " draws the same as " << other->second;
             };
             for (const std::uint64_t run : {1U, 2U, 8U, 1001U})
             {

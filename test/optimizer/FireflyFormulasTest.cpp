@@ -319,7 +319,8 @@ namespace ompl_mfa
 
             optimizer.step(objective, never);
             EXPECT_EQ(optimizer.generation(), 11U);
-            EXPECT_NEAR(optimizer.alpha(), 0.2 * std::pow(1.0 / 20.0, 0.1), 1e-15) << "the second epoch starts anew";
+            EXPECT_NEAR(optimizer.alpha(), 0.2 * std::pow(1.0 / 20.0, 0.1), 1e-15)
+                << "the second epoch restarts the schedule";
             optimizer.restartEpoch();
             EXPECT_DOUBLE_EQ(optimizer.alpha(), 0.2);
             EXPECT_DOUBLE_EQ(optimizer.beta0(), 1.0);

@@ -72,7 +72,7 @@ namespace ompl_mfa::planner
             {
                 EXPECT_FALSE(shares.contains(value)) << value;
             }
-            EXPECT_EQ(shares.suggestion(), "-1.0:0.125:2.5") << "OMPL takes 2 for a whole number";
+            EXPECT_EQ(shares.suggestion(), "-1.0:0.125:2.5") << "OMPL reads 2 as an integer";
             EXPECT_EQ(shares.description(), "-1 to 2.5");
         }
 

@@ -318,7 +318,7 @@ namespace ompl_mfa::planner
             ASSERT_EQ(planner_->solve(ptc), ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_TRUE(objective_->isSatisfied(ob::Cost(planner_->bestCost())));
             EXPECT_TRUE(problem_->pdef->hasOptimizedSolution());
-            EXPECT_LT(calls, 900000U) << "it went on although the threshold was met";
+            EXPECT_LT(calls, 900000U) << "it continued although the threshold was met";
         }
 
         TEST_P(EveryObjective, IsNotCalledOptimizedBelowTheThreshold)

@@ -385,7 +385,7 @@ namespace ompl_mfa::planner
             goals->addState(problem_->state({1.0, 3.0}));
             planner_->solve(test::afterCalls(2000));
             EXPECT_EQ(planner_->bestCost(), 2.0);
-            EXPECT_GE(planner_->evaluations(), evaluations) << "the search went on";
+            EXPECT_GE(planner_->evaluations(), evaluations) << "the search continued";
         }
 
         TEST_P(ChangedQueries, AGoalStateMayBeSetAnew)

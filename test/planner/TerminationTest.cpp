@@ -329,7 +329,7 @@ namespace ompl_mfa::planner
                     return limit();
                 }));
             EXPECT_GE(asked, 500U);
-            EXPECT_LE(asked, 520U) << "asked again and again after it was true";
+            EXPECT_LE(asked, 520U) << "evaluated repeatedly after it was true";
         }
 
         TEST_P(Termination, CostConvergenceEndsTheSearch)
