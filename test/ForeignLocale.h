@@ -47,7 +47,7 @@
 
 namespace ompl_mfa::test
 {
-    /** \brief Writes 1234.5 as 1.234,5 as German does. */
+    /** \brief Formats 1234.5 as 1.234,5, as in German. */
     class GermanPunctuation : public std::numpunct<char>
     {
         char do_decimal_point() const override
@@ -66,7 +66,7 @@ namespace ompl_mfa::test
         }
     };
 
-    /** \brief Knows no lower case of I but a letter of its own, as Turkish does. */
+    /** \brief Maps I to a letter of its own in lower case, as in Turkish. */
     class TurkishLetters : public std::ctype<char>
     {
         static char lower(char letter)
@@ -94,8 +94,7 @@ namespace ompl_mfa::test
         }
     };
 
-    /** \brief For as long as it lives, new C++ streams have German numbers and Turkish letters. It needs no locale of
-        the system. */
+    /** \brief While it lives, new C++ streams use German numbers and Turkish letters. No installed locale is needed. */
     class ForeignStreams
     {
     public:
@@ -117,8 +116,8 @@ namespace ompl_mfa::test
         std::locale before_;
     };
 
-    /** \brief For as long as it lives, the C library's locale is de_DE.UTF-8, made for this process where the system
-        has the tools but not the locale. */
+    /** \brief While it lives, the C library's locale is de_DE.UTF-8, compiled for this process if the system has the
+        tools but not the locale. */
     class ForeignLibrary
     {
     public:
@@ -138,7 +137,7 @@ namespace ompl_mfa::test
         ForeignLibrary(const ForeignLibrary &) = delete;
         ForeignLibrary &operator=(const ForeignLibrary &) = delete;
 
-        /** \brief Whether the locale is in use; a test is to be skipped where it is not. */
+        /** \brief Whether the locale is in use; tests skip otherwise. */
         bool isThere() const
         {
             return isThere_ && std::localeconv()->decimal_point[0] == ',';
@@ -166,8 +165,8 @@ namespace ompl_mfa::test
         bool isThere_;
     };
 
-    /** \brief Calls \e check("streams") among ForeignStreams, then \e check("library") in a ForeignLibrary where the
-        system can have one. */
+    /** \brief Calls \e check("streams") under ForeignStreams, then \e check("library") under ForeignLibrary where it is
+        available. */
     template <typename Check>
     void inForeignLocales(const Check &check)
     {

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* The precompiled headers of the tests belong to this program, which does nothing. */
+/* Owns the precompiled headers of the tests; does nothing. */
 int main()
 {
     return 0;

@@ -51,7 +51,7 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
-        /* A planner that only shows a cost that the test sets. */
+        /* A planner that only reports a cost set by the test. */
         class ShowingPlanner : public ob::Planner
         {
         public:
@@ -123,7 +123,7 @@ namespace ompl_mfa::anytime
             EXPECT_EQ(log->entries[0].checks, checks);
             EXPECT_GT(checks, 0U);
         }
-        EXPECT_FALSE(problem.pdef->getIntermediateSolutionCallback()) << "nobody is left to hear it";
+        EXPECT_FALSE(problem.pdef->getIntermediateSolutionCallback()) << "the callback was removed";
     }
 
     TEST(CostTrace, ExpiresByItsClock)

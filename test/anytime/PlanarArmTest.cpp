@@ -55,8 +55,8 @@ namespace ompl_mfa::anytime
             return from + (to - from) * i / count;
         }
 
-        /* How far the arm stays out of the capsule, from points along both: at most the truth plus the points' spacing.
-         */
+        /* Clearance between the arm and the capsule at sampled points of both: exceeds the exact one by the spacing of
+           the points at most. */
         double sampledClearance(const std::vector<double> &angles, const Capsule &capsule)
         {
             constexpr int POINTS = 100;
@@ -103,7 +103,7 @@ namespace ompl_mfa::anytime
                 capsule.to = capsule.from;
             }
             const double clearance = sampledClearance(angles, capsule);
-            // the spacing of the points is at most 0.023, and half of it is what a pair of points can miss at most
+            // the points are at most 0.023 apart, and a pair of points misses at most half of that
             if (clearance > 0.0 && clearance < 0.02)
             {
                 continue;

@@ -69,8 +69,8 @@ namespace ompl_mfa::anytime
             return problem.si->isValid(state.get());
         }
 
-        /* Shortest way over a grid whose points are joined to their eight neighbours: from 0 to 8.3% above the optimum,
-           and a little more for turns that miss the grid. */
+        /* Shortest path over a grid with eight neighbours a point: from 0 to 8.3% above the optimum, and a little more
+           for turns that miss the grid. */
         double gridOptimum(const Problem &problem)
         {
             constexpr int N = 500;

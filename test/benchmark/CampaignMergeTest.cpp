@@ -87,7 +87,7 @@ namespace ompl_mfa::benchmark
             return record;
         }
 
-        /* The runs for which \e keep says so, those that came last first. */
+        /* The runs that \e keep selects, in reverse order. */
         CampaignRuns runsOf(const BenchmarkLog &head, const std::function<bool(unsigned int)> &keep)
         {
             CampaignRuns runs;
@@ -126,7 +126,7 @@ namespace ompl_mfa::benchmark
             return inputErrorOf([&] { mergeRuns({a, b}, {"a.log", "b.log"}); });
         }
 
-        /* How the change of one thing in the head of a part is refused. */
+        /* The error message when one field in the header of a part is changed. */
         std::string errorWhere(const std::function<void(BenchmarkLog &)> &change)
         {
             BenchmarkLog head = smallHead();
@@ -258,7 +258,7 @@ namespace ompl_mfa::benchmark
         const CampaignRuns merged = readCampaignRuns(file("merged.log.journal"));
         EXPECT_EQ(merged.records.size(), 2 * RUNS);
         EXPECT_EQ(merged.header.duration, 4.0);
-        // What was joined is a part like any other.
+        // A merged campaign can be merged again.
         EXPECT_EQ(errorOf({file("merged.log")}), "");
         EXPECT_NE(errorOf({file("merged.log.journal"), file("odd")}).find("odd: run 3 of planner geometric_B is in"),
                   std::string::npos);

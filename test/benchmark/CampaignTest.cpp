@@ -98,7 +98,7 @@ namespace ompl_mfa::benchmark
             return description;
         }
 
-        /* A planner that solves nothing and takes a while. */
+        /* A planner that takes time and solves nothing. */
         ob::PlannerAllocator slowPlanner(const std::string &name, int milliseconds)
         {
             return testPlanner(name,
@@ -119,7 +119,7 @@ namespace ompl_mfa::benchmark
             return description;
         }
 
-        /* A folder of its own for each test. */
+        /* A separate folder for each test. */
         class CampaignTest : public testing::Test
         {
         protected:
@@ -143,7 +143,7 @@ namespace ompl_mfa::benchmark
                 return text.str();
             }
 
-            /* The log of the runs in the journal, which is what must stand in the log's file. */
+            /* The log made of the runs in the journal: the expected content of the log file. */
             BenchmarkLog logOnDisk() const
             {
                 BenchmarkLog log = assembleLog(readCampaignRuns(Campaign::journalFile(options_.log)));
@@ -165,7 +165,7 @@ namespace ompl_mfa::benchmark
                 return lines == 0 ? 0 : lines - 1;
             }
 
-            /* Starts \e campaign in another process and waits until \e runs of it are in the journal. */
+            /* Runs \e campaign in another process and waits until \e runs of its runs are in the journal. */
             pid_t startElsewhere(const Campaign &campaign, std::size_t runs) const
             {
                 const pid_t pid = fork();
@@ -262,7 +262,7 @@ namespace ompl_mfa::benchmark
         options_.grace = 0.3;
         const Campaign campaign(description);
         campaign.validate();
-        // The memory that a process may fill in 0.5 s on a busy machine is not certain, so it has more time.
+        // How much memory a process fills in 0.5 s on a busy machine varies, so it gets more time.
         options_.jobs = 2;
         const CampaignResult result = campaign.run(options_);
         EXPECT_EQ(result.missing, 0u);
@@ -302,7 +302,7 @@ namespace ompl_mfa::benchmark
                 EXPECT_EQ(value(run, "signal INTEGER"), wanted.signal) << planned.name;
             }
         }
-        // What was known when the process was killed is kept.
+        // Results known when the process was killed are kept.
         EXPECT_EQ(std::stod(value(log.planners[2].runs[0], "final best cost REAL")), 7.0);
         EXPECT_EQ(logText().find("-nan"), std::string::npos);
     }
@@ -349,7 +349,7 @@ namespace ompl_mfa::benchmark
                 EXPECT_EQ(value(planned.runs[run], "run INTEGER"), std::to_string(run));
             }
         }
-        // All there: nothing is made again.
+        // All runs are there: none is repeated.
         progress.str("");
         campaign.run(options_);
         EXPECT_EQ(progress.str(), "");
@@ -390,7 +390,7 @@ namespace ompl_mfa::benchmark
         EXPECT_NE(inputErrorOf([&] { Campaign(description).run(options_); }).find("--overwrite"), std::string::npos);
         options_.overwrite = true;
         EXPECT_EQ(Campaign(description).run(options_).missing, 0u);
-        // A finished campaign is simply made again.
+        // A finished campaign is run again.
         options_.overwrite = false;
         EXPECT_EQ(Campaign(description).run(options_).missing, 0u);
     }

@@ -51,7 +51,7 @@ namespace ompl_mfa::benchmark
     {
         using test::inputErrorOf;
 
-        /* Seven lines, so that what a test appends begins at line 8. */
+        /* Seven lines, so that text appended by a test begins at line 8. */
         const std::string PLANAR =
             "[problem]\nrobot = disc\nrobot.radius = 0.3\nstart.x = 1\nstart.y = 2\ngoal.x = 3\n"
             "goal.y = 4\n";

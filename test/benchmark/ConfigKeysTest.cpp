@@ -63,7 +63,7 @@ namespace ompl_mfa::benchmark
             }
         }
 
-        /* A cell as the program would print it: without markup, and without the mark of what OMPL.app does not have. */
+        /* A cell as the program prints it: without markup, and without the mark of keys that OMPL.app does not have. */
         std::string plain(const std::string &cell)
         {
             static const std::regex LINK(R"(\[([^\]]*)\]\([^)]*\))");
@@ -73,7 +73,7 @@ namespace ompl_mfa::benchmark
             return boost::trim_copy(text);
         }
 
-        /* The rows of the first table behind \e heading, plain, without the table's head. */
+        /* The rows of the first table after \e heading, without markup and without the header row. */
         std::vector<Cells> documented(const std::string &heading)
         {
             std::ifstream in(std::string(OMPL_MFA_SOURCE_DIR) + "/docs/configs.md");
@@ -129,7 +129,7 @@ namespace ompl_mfa::benchmark
         template <typename Config>
         void expectRefusals(const std::vector<ConfigRow<Config>> &rows)
         {
-            // whether a file can be used shows when it is read, and why a folder cannot be is said in other words
+            // files are checked when they are read, and the message for a folder is another one
             const std::set<std::string> paths = {"world", "robot", "output"};
             for (const auto &row : rows)
             {

@@ -93,7 +93,7 @@ MFA.GAMMA = 0.25
             return parseBenchmarkConfig(in, "a.cfg");
         }
 
-        /* A line of everything that the config said, in numbers that no locale touches. */
+        /* All values of the config in one line, formatted independently of the locale. */
         std::string summary(const BenchmarkConfig &config)
         {
             std::ostringstream out;
@@ -174,7 +174,7 @@ MFA.GAMMA = 0.25
             std::filesystem::path folder_;
         };
 
-        /* Values that are not the same in two runs. */
+        /* Values that differ between two runs. */
         void expectPlainNumbers(const LogProperties &properties)
         {
             for (const auto &[name, value] : properties)

@@ -70,7 +70,7 @@ namespace ompl_mfa::benchmark
             return std::make_shared<T>(si);
         }
 
-        /* Each in a process of its own, as in a campaign: seeds only count before the first random number. */
+        /* Each run in its own process, as in a campaign: a seed only counts before the first random number. */
         RunRecord run(const ob::PlannerAllocator &planner, const RunSettings &settings, std::uint32_t seed)
         {
             const auto state = makeShared<RunState>();
@@ -89,7 +89,7 @@ namespace ompl_mfa::benchmark
             return found == record.properties.end() ? NAN : std::stod(found->second);
         }
 
-        /* Its clearance takes so long that measuring a path takes more than a second. */
+        /* Its clearance is so slow that measuring a path takes more than a second. */
         class SlowClearance : public ob::StateValidityChecker
         {
         public:
@@ -259,13 +259,13 @@ namespace ompl_mfa::benchmark
     {
         RunSettings settings;
         settings.timeLimit = 0.05;
-        // A planner that returns at once leaves no doubt about a busy machine: its series is continued on the grid.
+        // The planner returns at once, so load of the machine does not matter: its series is continued on the grid.
         const auto planner = test::testPlanner(
             "Quick", [](const ob::PlannerTerminationCondition &) { return ob::PlannerStatus::TIMEOUT; });
         const RunRecord record = run(planner, settings, 2);
         const auto early = std::count_if(record.progress.begin(), record.progress.end(),
                                          [](const ProgressSample &sample) { return sample.time <= 0.0101; });
-        // ten and fifty on an idle machine; a loaded one runs the sampling thread when it can
+        // 10 early samples and 50 in all on an idle machine, fewer on a loaded one
         EXPECT_GE(early, 3);
         EXPECT_GE(record.progress.size(), 15u);
     }
@@ -296,7 +296,7 @@ namespace ompl_mfa::benchmark
         RunProcess process(
             [&]
             {
-                // A goal in collision is refused by most planners; EST of OMPL 1.5 grows towards it.
+                // Most planners reject a goal in collision; EST of OMPL 1.5 grows towards it.
                 return writeRunRecord(measureRun(enclosed, makePlanner<og::EST>, shortRun(), 1, *state));
             },
             RunLimits(), state);

@@ -51,7 +51,7 @@ namespace ompl_mfa::benchmark
     {
         namespace ob = ompl::base;
 
-        /* A problem in which states are valid outside of a ball about the origin. */
+        /* States are valid outside of a ball about the origin. */
         ob::SpaceInformationPtr ballProblem(StateSpaceKind kind, double radius, double high = 10.0)
         {
             const unsigned int dimension = positionDimension(kind);
@@ -93,7 +93,7 @@ namespace ompl_mfa::benchmark
         RC_ASSERT(si->isValid(makeState(si->getStateSpace(), kind, nearby->pose).get()));
         const double distance = std::hypot(nearby->pose.x - pose.x, nearby->pose.y - pose.y, nearby->pose.z - pose.z);
         RC_ASSERT(distance <= 1.0201 * nearby->distance);
-        // a direction may be off by 0.15; the surface bends away
+        // directions are up to 0.15 off, and the surface curves away
         RC_ASSERT(nearby->distance > depth - 1e-9);
         RC_ASSERT(nearby->distance < 1.03 * depth + 1e-9);
         RC_ASSERT(nearby->pose.theta == 0.5);
@@ -118,7 +118,7 @@ namespace ompl_mfa::benchmark
         ASSERT_TRUE(nearby);
         EXPECT_LE(nearby->pose.x, 2.95);
         EXPECT_TRUE(si->isValid(makeState(si->getStateSpace(), StateSpaceKind::R2, nearby->pose).get()));
-        // (2.95, 0.5454) is the nearest, at the tip of a wedge between directions
+        // (2.95, 0.5454) is the nearest, at the tip of a wedge that search directions may miss
         EXPECT_GE(nearby->distance, std::hypot(2.9 - 2.95, std::sqrt(9.0 - 2.95 * 2.95)) - 1e-9);
         EXPECT_LT(nearby->distance, 0.9);
     }

@@ -163,7 +163,7 @@ namespace ompl_mfa::benchmark
             return pdef->hasSolution();
         }
 
-        /* Each in a process of its own: assertions in OMPL 1.5.2's LazyLBTRRT and AIT* fail every now and then. */
+        /* Each planner in its own process: assertions of OMPL 1.5.2's LazyLBTRRT and AIT* fail occasionally. */
         TEST(PlannerFactory, EveryPlannerSolvesASquareWithAWall)
         {
             for (const auto &name : plannerNames())

@@ -85,7 +85,7 @@ namespace ompl_mfa::benchmark
             return text.str();
         }
 
-        /* OMPL's own reader on our logs, and SQL on what it made of them. */
+        /* Runs OMPL's own log reader on our logs, and SQL on its database. */
         class StatisticsTest : public testing::Test
         {
         protected:
@@ -139,7 +139,7 @@ namespace ompl_mfa::benchmark
                 Campaign(description).run(options);
             }
 
-            /* The answer of the database, columns separated by '|', rows by line breaks. */
+            /* The result of a query, columns separated by '|', rows by line breaks. */
             static std::string query(const std::string &sql)
             {
                 const std::filesystem::path script = folder_ / "query.py";
@@ -169,7 +169,7 @@ namespace ompl_mfa::benchmark
         std::string line;
         while (std::getline(out, line))
         {
-            // "Matplotlib or Numpy was not found" is about that program's own plots.
+            // "Matplotlib or Numpy was not found" concerns that program's own plots.
             EXPECT_TRUE(line.rfind("Processing ", 0) == 0 || line.rfind("Parsing data for ", 0) == 0 ||
                         line.rfind("Matplotlib", 0) == 0)
                 << line;
@@ -225,7 +225,7 @@ namespace ompl_mfa::benchmark
 
     TEST_F(StatisticsTest, ProgressIsDenseAndFallsInCost)
     {
-        // A busy machine loses samples while a planner runs; from its return on the series has one each millisecond.
+        // On a busy machine samples are missing while a planner runs; after it returns there is one each millisecond.
         EXPECT_EQ(
             query("SELECT count(*) > 0, min(samples - (0.1 - time) / 0.001) > -3 FROM (SELECT r.time AS time, "
                   "count(*) AS samples FROM progress g JOIN runs r ON r.id = g.runid JOIN experiments e ON e.id = "

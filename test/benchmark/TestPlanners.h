@@ -53,7 +53,7 @@
 
 namespace ompl_mfa::test
 {
-    /* A planner whose solve() is a function. It publishes the best cost 7 and a series of values that break parsers. */
+    /* A planner whose solve() is a given function. Publishes the best cost 7 and values that are hard to parse. */
     class TestPlanner : public ompl::base::Planner
     {
     public:

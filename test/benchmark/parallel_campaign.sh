@@ -1,6 +1,6 @@
 #!/bin/bash
 # parallel_campaign.sh PROGRAM SOURCE_DIR: a campaign in three parts with GNU Parallel, one of them killed on the way,
-# gives the same costs as the campaign in one piece. Exit status 77 where GNU Parallel is not installed.
+# gives the same costs as the undivided campaign. Exit status 77 where GNU Parallel is not installed.
 set -euo pipefail
 parallel --version 2>/dev/null | grep -q 'GNU parallel' || { echo "skipped: no GNU Parallel"; exit 77; }
 export OMPL_MFA=$1
@@ -31,7 +31,7 @@ PYTHON
 
 "$OMPL_MFA" benchmark "$config" --output "$work/whole.log" --quiet >/dev/null
 
-# The first attempt ends in the middle: part 2 fails, as a machine that goes down would make it.
+# The first attempt is interrupted: part 2 fails, as if its machine went down.
 cat >"$work/flaky" <<FLAKY
 #!/bin/bash
 if [[ "\$*" == *"--shard 2/3"* ]] && [ ! -f "$work/failed" ]; then

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Opens a database in the real Planner Arena with headless Chromium and looks at what its three tabs draw.
+"""Opens a database in the real Planner Arena with headless Chromium and checks what its three tabs draw.
 
-planner_arena.py PROGRAM SOURCE_DIR [SCREENSHOT_DIR]: makes a campaign with PROGRAM, and exits with 77 where something
-that is needed is not installed. planner_arena.py --database FILE.db SOURCE_DIR [SCREENSHOT_DIR] looks at that one.
+planner_arena.py PROGRAM SOURCE_DIR [SCREENSHOT_DIR]: runs a campaign with PROGRAM; exit status 77 if a
+required program is not installed. planner_arena.py --database FILE.db SOURCE_DIR [SCREENSHOT_DIR] opens FILE.db.
 """
 import base64
 import json
@@ -42,7 +42,7 @@ prmstar =
 rrtconnect =
 """
 
-# Number of columns with the colours of the boxes that hang together, and for each colour its pixels inside the panel.
+# Number of connected groups of columns with the boxes' colours, and the pixels of each colour inside the panel.
 LOOK = """
 const [selector, colours] = arguments;
 const image = document.querySelector(selector);
@@ -192,9 +192,9 @@ def select_planners(browser, page, names):
 
 
 def show(browser, tab, page, select, attribute):
-    """Opens a tab with all planners and one attribute, and waits until its plot is drawn anew."""
+    """Opens a tab with all planners and one attribute, and waits until its plot is redrawn."""
     plot = f"#{page}_plot img"
-    # Chosen by its value: clicking would need to know how the menu looks in this version of Bootstrap.
+    # Chosen by its value: clicking depends on the version of Bootstrap.
     browser.run("$('a[data-value=' + arguments[0] + ']').click()", tab)
     wait_for(tab + " planners", lambda: browser.run(
         "return document.querySelectorAll('input[name=' + arguments[0] + '_planners]').length", page))
@@ -232,7 +232,7 @@ def check(browser, planners, folder):
     for name, count in zip(names, seen["counts"]):
         if count > 40:
             continue
-        # a curve that the others cover shows alone
+        # a curve that others cover is shown alone
         select_planners(browser, "prog", [name])
         wait_for_plot(browser, "progress", plot)
         alone = browser.run(LOOK, plot, hues(1))
@@ -247,7 +247,7 @@ def check(browser, planners, folder):
 
 
 def main():
-    # CTest's way of ending a test that takes too long: the servers must not outlive it.
+    # CTest ends tests that exceed their timeout with this signal: the servers must end too.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     missing = missing_requirement()
     if missing:

@@ -69,7 +69,7 @@ submitted=$(sbatch --parsable --array=1-3 --output="$work/task-%a.out" "$source/
 sbatch --wait --dependency=afterok:"$submitted" --output="$work/merge.out" "$source/benchmarks/cluster/slurm_merge.sh" "$work/parts" ||
     { cat "$work"/*.out "$work"/*.log; exit 1; }
 cat "$work"/merge.out
-# A task that is submitted again has nothing to do.
+# A task that is submitted again has no runs left.
 before=$(md5sum <"$work/parts/part-2.log.journal")
 sbatch --wait --array=1-3 --output="$work/again-%a.out" "$source/benchmarks/cluster/slurm.sh" "$config" "$work/parts"
 [ "$before" = "$(md5sum <"$work/parts/part-2.log.journal")" ] || { echo "a finished part was made again"; exit 1; }

@@ -61,7 +61,7 @@ namespace ompl_mfa::campaign
 {
     namespace
     {
-        /* A journal of its own for each test. */
+        /* A separate journal for each test. */
         class CampaignRuns : public testing::Test
         {
         protected:
@@ -77,7 +77,7 @@ namespace ompl_mfa::campaign
                 std::filesystem::remove(options_.journal);
             }
 
-            /* A task whose run hands back what \e body says. */
+            /* A task whose run returns the result of \e body. */
             static Task task(int number, const std::function<std::string()> &body)
             {
                 Task made;
@@ -100,8 +100,7 @@ namespace ompl_mfa::campaign
                 return made;
             }
 
-            /* Tasks of the numbers from \e first to \e last, whose runs hand back the number of the process that asked
-               for them. */
+            /* Tasks numbered \e first to \e last, whose runs return the id of their parent process. */
             static std::vector<Task> tasks(int first, int last, int milliseconds = 0)
             {
                 std::vector<Task> made;
@@ -150,7 +149,7 @@ namespace ompl_mfa::campaign
                 return lines;
             }
 
-            /* Makes the runs of \e made in another process and waits until some are in the journal. */
+            /* Runs \e made in another process and waits until some runs are in the journal. */
             pid_t startElsewhere(const std::vector<Task> &made) const
             {
                 const pid_t pid = fork();
@@ -228,7 +227,7 @@ namespace ompl_mfa::campaign
         EXPECT_NE(inputErrorOf([&] { make(tasks(1, 4)); }).find("has 3 runs of an interrupted campaign"),
                   std::string::npos);
         EXPECT_EQ(numbers().size(), 3u);
-        EXPECT_EQ(make(tasks(1, 3)).missing, 0u) << "one that is finished is made again";
+        EXPECT_EQ(make(tasks(1, 3)).missing, 0u) << "a finished campaign is run again";
         header_.campaign = "def";
         EXPECT_NE(inputErrorOf([&] { make(tasks(1, 3)); }).find("--overwrite"), std::string::npos);
         options_.resume = true;
@@ -248,7 +247,7 @@ namespace ompl_mfa::campaign
         EXPECT_NE(inputErrorOf([&] { make(tasks(1, 3)); }).find(options_.journal.string() + ":2: not a run"),
                   std::string::npos);
         std::ofstream(options_.journal).close();
-        EXPECT_EQ(make(tasks(1, 3)).missing, 0u) << "a file in which nothing stands is a new one";
+        EXPECT_EQ(make(tasks(1, 3)).missing, 0u) << "an empty file counts as a new one";
     }
 
     TEST_F(CampaignRuns, GoOnAfterBeingKilled)

@@ -68,7 +68,7 @@ namespace ompl_mfa::campaign
             return {{"run", run}, {"message", "line one\nbytes \xff\xfe"}, {"cost", 0.1234567890123}};
         }
 
-        /* Keeps what it is given. */
+        /* Appends each record to \e records. */
         RecordVisitor keepIn(std::vector<Json> &records)
         {
             return [&records](const Json &record, std::size_t) { records.push_back(record); };
@@ -133,13 +133,13 @@ namespace ompl_mfa::campaign
             std::vector<Json> records;
             readJournal(copy, keepIn(records));
             EXPECT_EQ(records.size(), whole);
-            EXPECT_EQ(std::filesystem::file_size(copy), size) << "who only reads leaves the file alone";
+            EXPECT_EQ(std::filesystem::file_size(copy), size) << "reading does not change the file";
             {
                 RunJournal journal(copy, ignore);
                 EXPECT_EQ(journal.header().duration, 1.5 * static_cast<double>(whole));
                 journal.append(someRun(9), 1.0);
             }
-            // What is added next must not be glued to the rest of the line that was cut.
+            // The next record must not be appended to the rest of the truncated line.
             records.clear();
             readJournal(copy, keepIn(records));
             ASSERT_EQ(records.size(), whole + 1);
@@ -185,9 +185,9 @@ namespace ompl_mfa::campaign
         {
             const RunJournal journal(file, someHeader());
             EXPECT_NE(inputErrorOf([&] { RunJournal other(file, ignore); }).find("in use"), std::string::npos);
-            EXPECT_EQ(readJournal(file, ignore).campaign, "abc") << "reading is no harm";
+            EXPECT_EQ(readJournal(file, ignore).campaign, "abc") << "reading is allowed";
         }
-        // One that could not be opened is not left locked.
+        // A journal that could not be opened is not left locked.
         std::ofstream(file) << "hello\n";
         EXPECT_NE(inputErrorOf([&] { RunJournal other(file, ignore); }), "");
         EXPECT_EQ(inputErrorOf([&] { RunJournal other(file, someHeader()); }), "");

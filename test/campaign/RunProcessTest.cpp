@@ -61,7 +61,7 @@ namespace ompl_mfa::campaign
 {
     namespace
     {
-        /* What a run wants to outlive its crash. */
+        /* Data of a run that survives its crash. */
         struct Notes : RunState
         {
             std::atomic<int> number{0};
@@ -141,7 +141,7 @@ namespace ompl_mfa::campaign
             const auto process = runToEnd(
                 [number](RunState &) -> std::string
                 {
-                    // A handler, such as a sanitizer's, would turn the signal into an exit.
+                    // A signal handler, such as a sanitizer's, would turn the signal into an exit.
                     signal(number, SIG_DFL);
                     raise(number);
                     return "not reached";

@@ -48,7 +48,7 @@ namespace ompl_mfa::cli
 {
     namespace
     {
-        /* A folder of its own with a config of the paper's scene. */
+        /* A separate folder with a config of the paper's scene. */
         class Benchmark : public testing::Test
         {
         protected:
@@ -164,7 +164,7 @@ namespace ompl_mfa::cli
             runProgram("merge " + output + "x.log " + output + "part2.log --allow-missing --output " + output + "x.log")
                 .status,
             0)
-            << "what was joined can be joined again";
+            << "a merged campaign can be merged again";
     }
 
     TEST_F(Benchmark, ResumesOnlyWhatIsMissing)

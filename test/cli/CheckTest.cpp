@@ -90,7 +90,7 @@ namespace ompl_mfa::cli
         const double time = nlohmann::json::parse(json.out)["state_check_time"];
         EXPECT_GT(time, 0.0);
         const ProgramResult plain = runProgram("check " + file);
-        // what it prints is a line of the config
+        // the output contains a valid line of a config
         const std::size_t line = plain.out.find("mfa.state_check_time=");
         ASSERT_NE(line, std::string::npos) << plain.out;
         const std::string setting = plain.out.substr(line, plain.out.find('\n', line) - line);
@@ -164,7 +164,7 @@ namespace ompl_mfa::cli
         {
             EXPECT_NE(warning.find(words), std::string::npos) << warning;
         }
-        // a mesh that has a floor and a ceiling, and nothing between them
+        // a mesh with a floor, a ceiling and nothing between them
         write("gap.obj", "v 0 0 -2\nv 9 0 -2\nv 9 9 -2\nv 0 0 4\nv 9 0 4\nv 9 9 4\nf 1 2 3\nf 4 5 6\n");
         EXPECT_NE(warningOf("world = gap.obj\n").find("gap.obj"), std::string::npos);
         write("low.yaml", box("0.9"));

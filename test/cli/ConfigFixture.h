@@ -47,7 +47,7 @@
 
 #include "cli/RunProgram.h"
 
-/** \brief A folder of its own with a world of one wall and a config that plans around it. */
+/** \brief A separate folder with a world of one wall and a config that plans around it. */
 class ConfigFixture : public testing::Test
 {
 protected:

@@ -76,7 +76,7 @@ namespace ompl_mfa::cli
             return figure.render(PictureFormat::SVG);
         }
 
-        /** \brief A word and where it stands, in points from the upper left corner. */
+        /** \brief A word and its position, in points from the upper left corner. */
         struct PdfWord
         {
             std::string text;
@@ -117,7 +117,7 @@ namespace ompl_mfa::cli
             return std::any_of(all.begin(), all.end(), [&text](const PdfWord &word) { return word.text == text; });
         }
 
-        /** \brief Expects that words are on the page and do not run into each other. */
+        /** \brief Expects that words are on the page and do not overlap. */
         void expectReadable(const std::vector<PdfWord> &all, const std::string &which)
         {
             for (std::size_t i = 1; i < all.size(); ++i)
@@ -125,7 +125,7 @@ namespace ompl_mfa::cli
                 EXPECT_TRUE(all.front().box.contains(all[i].box)) << which << ": " << all[i].text << " leaves the page";
                 for (std::size_t k = i + 1; k < all.size(); ++k)
                 {
-                    // The boxes have room for accents and descenders, which the words do not fill.
+                    // The boxes leave room for accents and descenders, which the words do not have.
                     const Eigen::AlignedBox2d common = all[i].box.intersection(all[k].box);
                     EXPECT_TRUE(common.isEmpty() || common.sizes().minCoeff() < 3.0)
                         << which << ": '" << all[i].text << "' and '" << all[k].text << "' overlap by "
@@ -150,7 +150,7 @@ namespace ompl_mfa::cli
 
     TEST(Figure, CirclesAreRoundAndTrueAndMarkersAreInPixels)
     {
-        // 480 pixels are 20 units of x, and so are they 20 units of y.
+        // 480 pixels are 20 units of x and 20 units of y.
         Axes axes("title", "x (m)", "y (m)", {0.0, 0.0}, {20.0, 10.0});
         axes.addCircle({10.0, 5.0}, 2.0, {});
         axes.addMarkers({{10.0, 5.0}}, 3.0, {});

@@ -53,13 +53,13 @@ namespace ompl_mfa::cli
 {
     namespace
     {
-        /** \brief Cairo numbers its surfaces through the life of a process. */
+        /** \brief Removes the numbers of surfaces, which Cairo counts over the life of a process. */
         std::string withoutSurface(const std::string &svg)
         {
             return std::regex_replace(svg, std::regex("id=\"surface[0-9]+\""), "");
         }
 
-        /** \brief The commands in the process of the test, whose locale it can set. */
+        /** \brief Runs commands in the process of the test, whose locale it can set. */
         class Locale : public ConfigFixture
         {
         protected:
@@ -74,7 +74,7 @@ namespace ompl_mfa::cli
                 ompl::msg::setLogLevel(ompl::msg::LOG_DEBUG);
             }
 
-            /** \brief What a command prints; with the message, what it refuses. */
+            /** \brief The output of a command, with the error message if it fails. */
             static std::string printed(std::vector<std::string> arguments)
             {
                 CLI::App app{"test", "ompl_mfa"};
@@ -100,11 +100,11 @@ namespace ompl_mfa::cli
                 return testing::internal::GetCapturedStdout() + message;
             }
 
-            /** \brief What the commands print and write, as far as a clock has no part in it. */
+            /** \brief Output and files of the commands, without values that depend on a clock. */
             std::string everything() const
             {
                 const std::string file = path("a.cfg");
-                // what a state check takes is another number each time, but one that is written alike
+                // the time of a state check varies, its format does not
                 const std::regex checkTime(R"((check +|state_check_time"?[:=] ?)[0-9]+\.?[0-9]*(e-[0-9]+)?)");
                 std::string all = std::regex_replace(printed({"check", file}) + printed({"check", file, "--json"}),
                                                      checkTime, "$1TIME");

@@ -55,7 +55,7 @@ inline std::string pdfToText(const std::string &options, const std::string &file
     return text;
 }
 
-/** \brief The words of a PDF, a line of the picture a line. */
+/** \brief The words of a PDF, one line for each line of the picture. */
 inline std::string pdfText(const std::string &file)
 {
     return pdfToText("", file);

@@ -49,7 +49,7 @@ namespace ompl_mfa::cli
 {
     namespace
     {
-        /* Two tangents, two arcs about the corners of the wall, and along it. */
+        /* Two tangents, two arcs about the corners of the wall, and a segment along it. */
         const double SHORTEST = 9.643501;
 
         using Point = std::pair<double, double>;
@@ -133,7 +133,7 @@ namespace ompl_mfa::cli
         {
             EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
         }
-        // the paper's swarm and its slices are there to the end; those of windows come and go
+        // the paper's swarm keeps its slices to the end; those of windows come and go
         ASSERT_EQ(runProgram("plan " + config() + " --planner mfa_paper --picture " + path("out.pdf")).status, 0);
         text = pdfText(path("out.pdf"));
         for (const std::string word : {"slices", "the swarm's paths"})
@@ -163,7 +163,7 @@ namespace ompl_mfa::cli
         }
         const std::string svg = readFile(path("a.svg"));
         EXPECT_EQ(svg.rfind("<?xml", 0), 0U);
-        // the wall from (4.5, 1) to (5.5, 5) in axes of 48 pixels a unit from (62, 36)
+        // the wall from (4.5, 1) to (5.5, 5) in axes of 48 pixels a unit with their corner at (62, 36)
         EXPECT_NE(svg.find("L 278 276 "), std::string::npos);
         EXPECT_NE(svg.find("L 326 468 "), std::string::npos);
         EXPECT_NE(svg.find("stroke:rgb(4.313725%,23.529412%,47.058824%)"), std::string::npos) << "the best path";
@@ -283,7 +283,7 @@ namespace ompl_mfa::cli
         {
             expectBadInput("plan " + file + " --picture " + path(name) + " --time 1000", {name, ".svg, .png or .pdf"});
         }
-        // it can be opened, but not be written to
+        // it can be opened, but not written to
         std::filesystem::create_symlink("/dev/full", path("full.png"));
         expectBadInput("plan " + file + " --picture " + path("full.png") + " --planner rrtconnect", {"full.png"});
         expectBadInput("plan " + file + " --path /no/such/folder/a.path --planner rrtconnect",

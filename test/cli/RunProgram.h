@@ -46,7 +46,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/** \brief What the program did. */
+/** \brief Status and output of a run of the program. */
 struct ProgramResult
 {
     int status;
@@ -62,7 +62,7 @@ inline std::string readFile(const std::string &file)
     return content.str();
 }
 
-/** \brief A file name of this process in the folder for temporary files. */
+/** \brief A file name unique to this process in the folder for temporary files. */
 inline std::string temporaryFile(const std::string &name)
 {
     return testing::TempDir() + "ompl_mfa_" + std::to_string(getpid()) + "_" + name;

@@ -99,7 +99,7 @@ namespace ompl_mfa::collision
                              "not closed", "3 edges");
         }
 
-        // Files repeat vertices; what counts is where they are.
+        // Files repeat vertices; vertices are compared by position.
         TEST(ClosedMesh, WeldsRepeatedVertices)
         {
             const TriangleMesh shared = boxMesh({1., 1., 1.});

@@ -149,7 +149,7 @@ namespace ompl_mfa::collision
             EXPECT_GT(hits, 1000);
         }
 
-        // The depth of a ball is how far its centre is from the outside, and its radius.
+        // The depth of a ball is the distance from its centre to the outside plus its radius.
         TEST(CollisionQuery, DepthOfABallIsThatOfItsCentre)
         {
             Random random(6);
@@ -206,7 +206,7 @@ namespace ompl_mfa::collision
             return smallest;
         }
 
-        // Meshes, maps and primitives of the same boxes give the same answers, each through another way of FCL.
+        // Meshes, maps and primitives of the same boxes give the same answers by different algorithms of FCL.
         TEST(CollisionQuery, EveryKindOfABoxGivesTheSameAnswers)
         {
             Random random(4);
@@ -228,7 +228,7 @@ namespace ompl_mfa::collision
             const auto meshScene = share(meshes);
             const auto mapScene = share(map);
 
-            // A mesh that is larger than every obstacle cannot be inside of one.
+            // A mesh larger than every obstacle cannot be inside of one.
             const std::vector<std::shared_ptr<fcl::CollisionGeometryd>> robots{
                 std::make_shared<fcl::Boxd>(1., 1.5, 0.7), std::make_shared<fcl::Sphered>(0.6),
                 std::make_shared<fcl::Cylinderd>(0.6, 1.), std::make_shared<fcl::Coned>(0.6, 1.2),
@@ -251,7 +251,7 @@ namespace ompl_mfa::collision
                     hits += collides ? 1 : 0;
                     if (!collides)
                     {
-                        // Of a solid and a surface in it the surface touches nothing.
+                        // A mesh inside of a box collides with the solid box, but not with its surface.
                         EXPECT_FALSE(amongMeshes.collides(&pose));
                         EXPECT_NEAR(amongMeshes.distance(&pose, UNLIMITED), distance, 1e-9);
                     }
@@ -283,7 +283,7 @@ namespace ompl_mfa::collision
             }
         }
 
-        // Every kind of shape, all lengths multiplied: a scene for each shape, and a pose.
+        // Every kind of shape, all lengths scaled: a scene for each shape, and a pose.
         std::vector<std::shared_ptr<fcl::CollisionGeometryd>> everyShape(double scale)
         {
             std::vector<std::shared_ptr<fcl::CollisionGeometryd>> shapes{
@@ -296,7 +296,7 @@ namespace ompl_mfa::collision
             return shapes;
         }
 
-        // In micrometres or megametres as in metres.
+        // Micrometres and megametres give the same answers as metres.
         TEST(CollisionQuery, AnswersScaleWithTheWorld)
         {
             const auto unscaled = everyShape(1.);
@@ -329,7 +329,7 @@ namespace ompl_mfa::collision
             }
         }
 
-        // Meshes from files hold triangles without an area.
+        // Mesh files contain triangles without area.
         TEST(CollisionQuery, TrianglesWithoutAreaAreSegmentsAndPoints)
         {
             TriangleMesh degenerate;
@@ -354,7 +354,7 @@ namespace ompl_mfa::collision
                 EXPECT_EQ(ball.collides(&pose), expected <= 0.);
                 EXPECT_NEAR(ball.distance(&pose, UNLIMITED), std::max(0., expected), 1e-9);
                 hits += expected <= 0. ? 1 : 0;
-                // The segment, and the point, to a box along the axes.
+                // Distance of the segment and of the point to an axis-aligned box.
                 const double aside = std::max(0., std::abs(p.x()) - 1.5);
                 const double across =
                     std::hypot(std::max(0., std::abs(p.y()) - 0.5), std::max(0., std::abs(p.z()) - 0.5));
@@ -447,7 +447,7 @@ namespace ompl_mfa::collision
             EXPECT_FALSE(CollisionQuery(share(Scene()), bodies).collides(poses.data()));
             EXPECT_TRUE(CollisionQuery(share(Scene()), bodies, MeshInterior::Solid).collides(poses.data()));
 
-            // The cells of a map are parts of their own.
+            // Each cell of a map is closed on its own.
             Scene cells;
             cells.add({"cells", occupancyMap({{0, 0, 0}, {40, 0, 0}}, 0.1)});
             EXPECT_FALSE(CollisionQuery(share(cells), {bodyOf(shell)}).collides(&pose));

@@ -34,7 +34,8 @@
 
 /* Author: the ompl_mfa authors */
 
-/* Queries from several threads, and what a query allocates. This program counts every allocation of the C++ heap. */
+/* Queries from several threads, and allocations during a query. This program counts every allocation of the C++
+   heap. */
 
 #include <atomic>
 #include <cstdlib>
@@ -48,7 +49,7 @@
 #include "collision/RandomScenes.h"
 #include "ompl_mfa/collision/FclMotionValidator.h"
 
-// GCC takes these for the library's own where it inlines them, and misses that they go together.
+// GCC mistakes these for the library's operators where it inlines them, and warns that they do not match.
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 
 namespace
@@ -105,7 +106,7 @@ namespace ompl_mfa::collision
     {
         namespace ob = ompl::base;
 
-        // Obstacles and robots of every kind, of which each query meets each pair.
+        // Obstacles and robots of every kind; each query tests all pairs.
         struct Setting
         {
             explicit Setting(std::shared_ptr<fcl::CollisionGeometryd> robot, MeshInterior interior)
@@ -157,7 +158,7 @@ namespace ompl_mfa::collision
             Setting(const Setting &) = delete;
             Setting &operator=(const Setting &) = delete;
 
-            // Everything that can be asked, for every state. \param answers as many as there are states.
+            // Every kind of query for every state. \param answers as many as there are states.
             void ask(std::vector<double> &answers) const
             {
                 for (std::size_t i = 0; i < states.size(); ++i)

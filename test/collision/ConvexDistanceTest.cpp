@@ -50,7 +50,7 @@ namespace ompl_mfa::collision
     {
         using Geometry = fcl::CollisionGeometryd;
 
-        // Nearest point of a solid, in its own frame: another way to know it than the support points under test.
+        // Nearest point of a solid, in its own frame, computed without the support points under test.
         fcl::Vector3d project(const Geometry &geometry, const fcl::Vector3d &p)
         {
             switch (geometry.getNodeType())
@@ -96,8 +96,8 @@ namespace ompl_mfa::collision
             }
         }
 
-        // Projecting in turn onto two convex solids comes to their distance, from above (W. Cheney, A. Goldstein,
-        // 1959).
+        // Alternating projections onto two convex solids converge to their distance from above (W. Cheney, A.
+        // Goldstein, 1959).
         double projectedDistance(const Geometry &a, const fcl::Transform3d &poseA, const Geometry &b,
                                  const fcl::Transform3d &poseB)
         {
@@ -162,7 +162,7 @@ namespace ompl_mfa::collision
             expectAgreement<Coned, Coned>("cone", "cone");
         }
 
-        // A capsule is a segment with a margin, so two of them are as far apart as their segments.
+        // A capsule is a segment with a margin, so the distance of two capsules follows from that of their segments.
         TEST(ConvexDistance, CapsulesAgreeWithTheirSegments)
         {
             Random random(8);
@@ -190,7 +190,7 @@ namespace ompl_mfa::collision
             EXPECT_GT(apart, 500);
         }
 
-        // The plane that proves the distance keeps every support point of the two on its own side.
+        // The separating plane has all support points of each solid on that solid's side.
         TEST(ConvexDistance, PlaneSeparates)
         {
             Random random(11);

@@ -70,7 +70,7 @@ namespace ompl_mfa::collision
             return space;
         }
 
-        // A space with a scene and robots, and the two ways to check a motion in it.
+        // A space with a scene and robots, and two motion validators for it.
         struct Setting
         {
             Setting(const ob::StateSpacePtr &space, Scene scene, std::vector<RigidBody> robots)
@@ -126,7 +126,7 @@ namespace ompl_mfa::collision
             int motions;
         };
 
-        // Motions between the two sides of a wall that fills the space: every one of them crosses it.
+        // Motions between the two sides of a wall that fills the space: each of them crosses it.
         TEST(FclMotionValidator, NeverCrossesAThinWall)
         {
             const std::vector<ThinWall> walls{
@@ -155,14 +155,14 @@ namespace ompl_mfa::collision
                     }
                     ++crossings;
                     ASSERT_FALSE(setting.continuous->checkMotion(from.get(), to.get())) << wall.name;
-                    // The discrete one is only asked until it is shown to miss some.
+                    // The discrete validator is only called until it has missed some.
                     missed += missed < 10 && setting.discrete->checkMotion(from.get(), to.get()) ? 1 : 0;
                 }
                 EXPECT_GT(missed, 0) << wall.name;
             }
         }
 
-        // Along a wall a disc moves freely: no motion is refused that keeps away from it.
+        // A disc moves freely along a wall: motions that keep clear of it are valid.
         TEST(FclMotionValidator, RefusesNoFreeMotion)
         {
             const double radius = 0.4;
@@ -215,7 +215,7 @@ namespace ompl_mfa::collision
             EXPECT_GT(valid, 1000);
         }
 
-        // A rod that turns by half a turn about its end sweeps a post, far from it at both ends of the motion.
+        // A rod that makes half a turn about its end sweeps a post that is far from it at both ends of the motion.
         TEST(FclMotionValidator, SeesWhatARotationSweeps)
         {
             fcl::Transform3d outward = fcl::Transform3d::Identity();
@@ -237,7 +237,7 @@ namespace ompl_mfa::collision
                 EXPECT_TRUE(setting.discrete->checkMotion(from.get(), to.get()));
                 const Setting beyond(rigid<ob::SE2StateSpace>(2, 10.), single(post, {0., 5.01, 0.}), {robot});
                 EXPECT_TRUE(beyond.continuous->checkMotion(from.get(), to.get()));
-                // The shorter way round is the other one.
+                // The shorter rotation goes the other way round.
                 EXPECT_TRUE(setting.continuous->checkMotion(from.get(), at(setting, {0., 0., -3.}).get()));
             }
         }
@@ -259,11 +259,11 @@ namespace ompl_mfa::collision
                 EXPECT_NEAR(last[0], -8. + 16. * lastValid.second, 1e-12);
                 EXPECT_TRUE(setting.si->isValid(last.get()));
                 EXPECT_TRUE(setting.continuous->checkMotion(from.get(), last.get()));
-                // The state is not asked for by everyone.
+                // Callers may leave out the state.
                 lastValid = {nullptr, -1.};
                 EXPECT_FALSE(setting.continuous->checkMotion(from.get(), to.get(), lastValid));
                 EXPECT_GT(lastValid.second, 0.4);
-                // A valid motion leaves it alone.
+                // A valid motion does not change it.
                 lastValid = {nullptr, -1.};
                 EXPECT_TRUE(setting.continuous->checkMotion(from.get(), at(setting, {-8., 5.}).get(), lastValid));
                 EXPECT_EQ(lastValid.second, -1.);
@@ -283,7 +283,7 @@ namespace ompl_mfa::collision
             EXPECT_TRUE(setting.si->isValid(last.get()));
         }
 
-        // Two discs that change places: how close they come is the distance of their relative motion to the origin.
+        // Two discs that swap places: their least distance is that of their relative motion to the origin.
         TEST(FclMotionValidator, ChecksBodiesAgainstEachOther)
         {
             auto space = std::make_shared<ob::CompoundStateSpace>();
@@ -334,7 +334,7 @@ namespace ompl_mfa::collision
             expectInputError([&] { FclMotionValidator(si, checker); }, "curved", "expected discrete");
         }
 
-        // Whether one of many states between two collides: says nothing about a motion without such a state.
+        // Whether one of many states between two collides; if none does, the motion may still collide.
         bool someStateCollides(const OmplAppWorld &world, const ob::ScopedState<> &from, const ob::ScopedState<> &to)
         {
             ob::ScopedState<> between(from);
@@ -365,9 +365,9 @@ namespace ompl_mfa::collision
             return refused;
         }
 
-        // OMPL.app made these paths with discrete checks at 0.01 of the space. In motion 82 of Barriers.path these are
-        // two segments of 1.9, between valid states; a corner of the robot is inside a barrier over 39% of it, which a
-        // check at 0.005 (three segments) sees, and a continuous one has to.
+        // OMPL.app found these paths with discrete checks at 0.01 of the space. In motion 82 of Barriers.path that is
+        // two segments of 1.9 between valid states; a corner of the robot is inside a barrier over 39% of the motion,
+        // which checks at 0.005 (three segments) detect, and a continuous check must.
         TEST_P(OmplAppTest, ShippedPathIsValidStateByStateAndMotionByMotion)
         {
             const OmplAppProblem &problem = GetParam();

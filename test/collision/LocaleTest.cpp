@@ -95,7 +95,7 @@ namespace ompl_mfa::collision
                 folder_.write("mesh.x3d", X3D);
             }
 
-            // Boxes of what every file of the folder holds.
+            // Bounding boxes of the contents of every file in the folder.
             std::map<std::string, Eigen::Matrix<double, 6, 1>> boxes() const
             {
                 std::map<std::string, Eigen::Matrix<double, 6, 1>> boxes;

@@ -126,7 +126,7 @@ namespace ompl_mfa::collision
                 const std::string whole = text(binary);
                 expectFault(whole.substr(0, whole.size() - 1), "truncated or broken");
                 expectFault(whole.substr(0, whole.find("data\n") + 5), "truncated or broken");
-                // Children of children without end.
+                // Endlessly nested children.
                 expectFault(whole.substr(0, whole.find("data\n") + 5) + std::string(100000, '\xff'),
                             "truncated or broken");
                 const std::string size = "size " + std::to_string(tree_.size());

@@ -58,7 +58,7 @@ namespace ompl_mfa::collision
 {
     namespace ob = ompl::base;
 
-    /** \brief A problem of OMPL.app, as its .cfg lays it down. */
+    /** \brief A problem of OMPL.app, as given by its .cfg. */
     struct OmplAppProblem
     {
         const char *name;
@@ -69,7 +69,7 @@ namespace ompl_mfa::collision
         std::vector<double> low;
         std::vector<double> high;
 
-        /** \brief Unit of length in which clearances are judged. */
+        /** \brief Length scale for tolerances of clearances. */
         double scale() const
         {
             return high[0] - low[0];
@@ -125,7 +125,7 @@ namespace ompl_mfa::collision
                                  : std::filesystem::path(OMPL_MFA_SOURCE_DIR) / ".." / "shared" / "omplapp";
     }
 
-    /** \brief Space, world and robot of a problem, ready to be asked. */
+    /** \brief Space, world and robot of a problem, ready for queries. */
     class OmplAppWorld
     {
     public:
@@ -218,7 +218,7 @@ namespace ompl_mfa::collision
         return rows;
     }
 
-    /** \brief A test for each problem; skipped where the files of OMPL.app are not there. */
+    /** \brief A test for each problem; skipped without OMPL.app's files. */
     class OmplAppTest : public ::testing::TestWithParam<OmplAppProblem>
     {
     protected:

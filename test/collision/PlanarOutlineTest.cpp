@@ -193,7 +193,7 @@ namespace ompl_mfa::collision
         {
             TriangleMesh mesh;
             mesh.vertices = {{0., 0., 0.}, {2., 0., 0.}, {0., 2., 0.}, {0., 0., 4.}, {2., 0., -4.}};
-            // One in the plane, one upright across it, and one far below.
+            // One in the plane, one upright through it, and one far below.
             mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
             const auto outline = planarOutline({"mesh", makeMeshGeometry(mesh)});
             ASSERT_EQ(outline.size(), 2U);

@@ -56,7 +56,7 @@ namespace ompl_mfa::collision
                 return loadPlanningScene(folder_.write("scene.yaml", text));
             }
 
-            // One obstacle whose shapes are given, from line 4 on.
+            // One obstacle with the given shapes, from line 4 on.
             Scene loadObject(const std::string &lines) const
             {
                 return load("world:\n  collision_objects:\n    - id: thing\n" + lines);
@@ -200,7 +200,7 @@ namespace ompl_mfa::collision
 
         const std::string BOX_OF_ONE = "    primitives: [{type: box, dimensions: [1, 1, 1]}]\n";
 
-        // A box of edge 1 named "thing" in a frame, and what stands before the world in the file.
+        // A box of edge 1 named "thing" in a frame, after the preamble.
         std::string boxInFrame(const std::string &frame, const std::string &preamble = "")
         {
             return preamble + "world:\n  collision_objects:\n  - id: thing\n    header: {frame_id: '" + frame + "'}\n" +
@@ -223,7 +223,7 @@ namespace ompl_mfa::collision
 
         TEST_F(PlanningSceneTest, FollowsChainsOfFrames)
         {
-            // The camera is listed before the arm that it sits on; names may begin with a slash.
+            // The camera is listed before the arm to which it is attached; names may begin with a slash.
             const Scene scene =
                 load(boxInFrame("camera",
                                 "fixed_frame_transforms:\n"
@@ -248,7 +248,7 @@ namespace ompl_mfa::collision
                      "    subframe_poses: [{position: [0, 0, 0.5]}]\n"
                      "  - id: lid\n    header: {frame_id: thing/top}\n" +
                      BOX_OF_ONE + "    primitive_poses: [{position: [0, 1, 0]}]\n" +
-                     // A single shape's pose is that of its object where the object has none, as in MoveIt.
+                     // An object without a pose of its own gets the pose of its only shape, as in MoveIt.
                      "  - id: knob\n    header: {frame_id: lid}\n" + BOX_OF_ONE);
             EXPECT_TRUE(scene.objects()[1].pose.translation().isApprox(fcl::Vector3d(5., 1., 0.5)));
             EXPECT_TRUE(scene.objects()[2].pose.translation().isApprox(fcl::Vector3d(5., 1., 0.5)));
@@ -271,12 +271,12 @@ namespace ompl_mfa::collision
             expectFault(boxInFrame("a", list + transform("a", "a", "1, 0, 0")), ":2", "'a'", "itself");
             expectFault(boxInFrame("a", list + transform("b", "a", "0, 0, 0") + transform("b", "a", "1, 0, 0")), ":5",
                         "'a'", "twice");
-            // Where the file names another planning frame, nothing says where the world is.
+            // If the file names another planning frame, the pose of the world is unknown.
             expectFault(boxInFrame("world", list + transform("odom", "a", "0, 0, 0")), "frame 'world'", "odom");
             expectFault("fixed_frame_transforms: {}\n" + boxInFrame(""), "fixed_frame_transforms must be a list");
         }
 
-        // The nodes of a map as octomap_msgs writes them into a message.
+        // The nodes of a map as octomap_msgs encodes them in a message.
         std::string octomapData(const octomap::OcTree &tree, bool binary)
         {
             std::ostringstream stream;
@@ -343,7 +343,7 @@ namespace ompl_mfa::collision
             const std::string map = octomapWorld(octomapData(tree_, true), true);
             const Scene scene = load(map + "  collision_objects:\n  - id: thing\n" + BOX_OF_ONE);
             EXPECT_EQ(scene.objects().size(), 2U);
-            // Free and unknown space is no obstacle, nor is a map that was never filled.
+            // Free and unknown space is no obstacle, nor is an empty map.
             octomap::OcTree free(0.5);
             free.updateNode(1., 1., 1., false);
             const std::string objects = "  collision_objects:\n  - id: thing\n" + BOX_OF_ONE;
@@ -382,7 +382,7 @@ namespace ompl_mfa::collision
                 "link_scale:\n- {link_name: arm, scale: 1.0}\n- {link_name: hand, scale: 1.1}\n" + boxInFrame(""), ":3",
                 "link_scale", "'hand'", "1.1");
             expectFault("robot_state: {attached_collision_object: []}\n" + boxInFrame(""), ":1", "unknown key");
-            // What says nothing is no fault.
+            // Entries without effect are accepted.
             EXPECT_EQ(load("robot_state: {attached_collision_objects: [], is_diff: true}\n"
                            "link_padding: [{link_name: hand, padding: 0.0}]\n"
                            "link_scale: [{link_name: hand, scale: 1.0}]\n" +
@@ -403,7 +403,7 @@ namespace ompl_mfa::collision
             const Scene appended = load(world + object("a", "\"\\0\"", 1.) + object("a", "append", 2.));
             ASSERT_EQ(appended.objects().size(), 2U);
             EXPECT_EQ(appended.objects()[1].pose.translation().x(), 2.);
-            // As MoveIt does: what is added under a name that is taken replaces what had it, which is said.
+            // As in MoveIt: an object with a name in use replaces the old one, with a warning.
             std::string warning = standardErrorOf(
                 [&]
                 {
@@ -428,7 +428,7 @@ namespace ompl_mfa::collision
         TEST_F(PlanningSceneTest, RefusesShapesThatItCannotRead)
         {
             const std::string sphere = "      primitives: [{type: sphere, dimensions: [1]}]\n";
-            // A mesh that is no entry of a list was passed over.
+            // A mesh that is not an entry of a list used to be ignored.
             expectObjectFault(sphere + "      meshes: cube.obj\n", ":5", "meshes must be a list");
             expectObjectFault("      meshes: []\n      primitives: '<sequence length: 1>'\n", ":5",
                               "primitives must be a list");
@@ -441,7 +441,7 @@ namespace ompl_mfa::collision
             expectObjectFault("      primitives: [{type: 5, dimensions: [1], polygon: {points: []}}]\n", ":4", "'5'");
         }
 
-        // As `ros2 topic echo` prints a scene: every field, unset ones too, and a line that ends the message.
+        // A scene as printed by `ros2 topic echo`: every field, unset ones too, and a line that ends the message.
         std::string printedScene()
         {
             return R"(name: (noname)
@@ -503,7 +503,7 @@ is_diff: false
                         EXPECT_TRUE(object.pose.linear().isIdentity());
                     }
                 });
-            // One for the object, whatever was unset in it; the empty octomap needs none.
+            // One warning for the object, whatever is unset in it; none for the empty octomap.
             EXPECT_EQ(countOf("Warning:", warning), 1U) << warning;
             for (const std::string part : {"scene.yaml:15", "'box'", "orientation", "primitive_poses", "identity"})
             {
@@ -534,7 +534,7 @@ is_diff: false
             EXPECT_EQ(countOf("'a'", warning), 1U) << warning;
             EXPECT_EQ(countOf("'b'", warning), 1U) << warning;
             EXPECT_EQ(countOf("'base'", warning), 1U) << warning;
-            // A scene that is all there needs no word.
+            // A complete scene causes no warning.
             EXPECT_EQ(standardErrorOf([&] { load(boxInFrame("base", BASE_TRANSFORM)); }), "");
         }
 
@@ -594,7 +594,7 @@ is_diff: false
                              "package://my_robot/meshes dir/cube.obj", "sought", "OMPL_MFA_RESOURCE_DIR");
             setenv("OMPL_MFA_RESOURCE_DIR", ("/nowhere:" + folder_.path().string()).c_str(), 1);
             EXPECT_EQ(loadPlanningScene(scene).objects().size(), 1U);
-            // The package itself may be named too.
+            // The folder of the package itself may be given too.
             setenv("OMPL_MFA_RESOURCE_DIR", (folder_.path() / "my_robot").c_str(), 1);
             EXPECT_EQ(loadPlanningScene(scene).objects().size(), 1U);
         }
@@ -611,7 +611,7 @@ is_diff: false
             expectInputError([&] { loadPlanningScene(sceneOf("package://my_robot")); }, "scene.yaml:4", "package://");
         }
 
-        // A pillar of height 4 along z, in metres or in another unit, with the axis that its tool calls up.
+        // A pillar of height 4 along z, in metres or in another unit, with the up axis that its tool declares.
         std::string pillarDae(const std::string &up, const std::string &metres)
         {
             return R"(<?xml version="1.0"?>

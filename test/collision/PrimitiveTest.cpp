@@ -76,7 +76,7 @@ namespace ompl_mfa::collision
             EXPECT_EQ(static_cast<const fcl::Boxd &>(*box).side, fcl::Vector3d(1., 2., 3.));
         }
 
-        // Whatever kinds there are: each has a box, a radius and a picture, and meets each other kind of obstacle.
+        // All kinds: each has a box, a radius and a picture, and is tested against each other kind of obstacle.
         TEST(Primitive, IsServedByEveryPartOfTheLibrary)
         {
             std::vector<CollisionObject> obstacles{{"mesh", makeMeshGeometry(boxMesh({1., 1., 1.}))},

@@ -52,7 +52,7 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief Random numbers of a test: the same in every run. */
+    /** \brief Random numbers of a test, the same in every run. */
     class Random
     {
     public:

@@ -111,7 +111,7 @@ namespace ompl_mfa::collision
                 expectInputError([&file] { loadRobot(file, RobotCentring::None); }, name, "unknown kind", ".yaml",
                                  ".scene", ".dae");
             }
-            // What assimp has a reader for is a mesh, whatever the case of its extension.
+            // Files with an extension that assimp reads are meshes, in upper and lower case.
             expectInputError([&folder] { loadScene(folder.write("broken.DAE", "x")); }, "not a readable mesh");
         }
 

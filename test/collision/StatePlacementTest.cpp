@@ -69,7 +69,7 @@ namespace ompl_mfa::collision
             return space;
         }
 
-        // Unlike the operator + of state spaces this keeps what is nested.
+        // Unlike the operator + of state spaces this keeps nested compounds.
         ob::StateSpacePtr compound(const std::vector<ob::StateSpacePtr> &parts)
         {
             auto space = std::make_shared<ob::CompoundStateSpace>();

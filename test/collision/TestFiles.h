@@ -48,7 +48,7 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A folder that goes away with the test. */
+    /** \brief A temporary folder, removed at the end of the test. */
     class TemporaryFolder
     {
     public:
@@ -89,7 +89,7 @@ namespace ompl_mfa::collision
         std::filesystem::path path_;
     };
 
-    /** \brief The message of the InputError that `action` throws; empty, and a failure, where it throws none. */
+    /** \brief The message of the InputError that `action` throws; empty, and a test failure, if it throws none. */
     template <typename Action>
     std::string inputErrorOf(const Action &action)
     {
@@ -107,7 +107,7 @@ namespace ompl_mfa::collision
         return "";
     }
 
-    /** \brief Expects an InputError whose message has all these parts. */
+    /** \brief Expects an InputError whose message contains all parts. */
     template <typename Action, typename... Parts>
     void expectInputError(const Action &action, const Parts &...parts)
     {
@@ -118,7 +118,7 @@ namespace ompl_mfa::collision
         }
     }
 
-    /** \brief What `action` writes to standard error. */
+    /** \brief The output of `action` on standard error. */
     template <typename Action>
     std::string standardErrorOf(const Action &action)
     {
@@ -134,7 +134,7 @@ namespace ompl_mfa::collision
         return ::testing::internal::GetCapturedStderr();
     }
 
-    /** \brief How often `part` is in `text`. */
+    /** \brief The number of occurrences of `part` in `text`. */
     inline std::size_t countOf(const std::string &part, const std::string &text)
     {
         std::size_t count = 0;

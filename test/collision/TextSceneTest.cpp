@@ -64,7 +64,7 @@ namespace ompl_mfa::collision
             TemporaryFolder folder_;
         };
 
-        // As RViz exported scenes before objects had poses.
+        // As exported by RViz before objects had poses.
         const std::string OLDER =
             "(noname)+\n"
             "* big table\n"
@@ -82,7 +82,7 @@ namespace ompl_mfa::collision
             "0 0 0 0\n"
             ".\n";
 
-        // As it exports them since: the pose of the object before its shapes, its subframes behind them.
+        // As exported since then: the pose of the object before its shapes, its subframes after them.
         const std::string NEWER =
             "room\n"
             "* table\n"
@@ -111,7 +111,7 @@ namespace ompl_mfa::collision
             EXPECT_EQ(scene.objects()[0].pose.translation(), fcl::Vector3d(1., 2., 3.));
             EXPECT_TRUE(scene.objects()[0].pose.linear().col(0).isApprox(fcl::Vector3d::UnitY(), 1e-7));
             EXPECT_EQ(static_cast<const fcl::Sphered &>(*scene.objects()[1].geometry).radius, 0.25);
-            // MoveIt writes the radius of a cylinder first here, and its height first in messages.
+            // MoveIt writes a cylinder's radius first here, and its height first in messages.
             const auto &post = static_cast<const fcl::Cylinderd &>(*scene.objects()[2].geometry);
             EXPECT_EQ(post.radius, 0.1);
             EXPECT_EQ(post.lz, 2.);

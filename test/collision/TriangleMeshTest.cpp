@@ -60,8 +60,8 @@ namespace ompl_mfa::collision
             return content;
         }
 
-        // A node that moves its mesh inside a node that scales it, in COLLADA, with a line beside the triangle. Its z
-        // is up: assimp turns that to y up in the transform of the root, so z becomes y and y becomes -z.
+        // COLLADA: a node that translates its mesh inside a node that scales it, with a line beside the triangle. The
+        // file's z is up: assimp turns that to y up in the root's transform, so z becomes y and y becomes -z.
         std::string collada()
         {
             return R"(<?xml version="1.0"?>
@@ -110,7 +110,7 @@ namespace ompl_mfa::collision
             EXPECT_TRUE(centre.isApprox(fcl::Vector3d(20. + 2. / 3., 0., -2. / 3.), 1e-6)) << centre.transpose();
         }
 
-        // OMPL.app centres a robot on the mean of all vertices that assimp leaves, those of lines too.
+        // OMPL.app centres a robot on the mean of all vertices that assimp keeps, those of lines included.
         TEST(TriangleMesh, MeanCountsTheVerticesOfLines)
         {
             const TemporaryFolder folder;
@@ -155,7 +155,7 @@ namespace ompl_mfa::collision
                    "0 0 -1\n0 1 -1\n1 0 -1\n1 1 -1\n2 0 -1\n2 1 -1\n" + lists;
         }
 
-        // assimp makes one triangle of each strip and writes beyond its array where there are many.
+        // assimp makes one triangle of each strip and, with many strips, writes beyond its array.
         TEST(TriangleMesh, RefusesTriangleStripsOfPly)
         {
             const TemporaryFolder folder;
@@ -185,7 +185,7 @@ namespace ompl_mfa::collision
                 4U);
         }
 
-        // assimp repeats the last face for those that a text lacks, and reads past the end of a binary file.
+        // assimp repeats the last face for those missing in a text file, and reads past the end of a binary file.
         TEST(TriangleMesh, RefusesPlyThatIsCut)
         {
             const TemporaryFolder folder;
@@ -220,15 +220,15 @@ namespace ompl_mfa::collision
         TEST(TriangleMesh, RefusesFacesThatArePartlyLost)
         {
             const TemporaryFolder folder;
-            // assimp finds two triangles of the four that a hexagon has which crosses itself.
+            // assimp finds two of the four triangles of a hexagon that intersects itself.
             const std::string crossing =
                 "v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nv 1 1 0\nv 3 1 0\nv 0 0 1\nf 1 2 3 4 5 6\nf 1 2 7\n";
             expectInputError([&] { loadMesh(folder.write("crossing.obj", crossing)); }, "crossing.obj",
                              "2 of 5 triangles");
-            // An index beyond the vertices is no triangle at all.
+            // A face with an index beyond the vertices counts as lost.
             expectInputError([&] { loadMesh(folder.write("wild.ply", ply("element face 2", "3 0 1 2\n3 0 1 70\n"))); },
                              "wild.ply", "1 face", "vertex");
-            // Polygons of no area lose nothing.
+            // Polygons without area count as complete.
             const std::string flat = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\nv 0 1 0\nf 1 2 3 4 5\nf 1 2 6\n";
             EXPECT_EQ(loadMesh(folder.write("flat.obj", flat)).triangles.size(), 4U);
         }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """compare_in_benchmark.py DEMO: the log of the demo is read by ompl_benchmark_statistics without a warning.
 
-Status 77, for skipped, where that program is not installed (Debian: ompl-demos).
+Exit status 77 (skipped) if that program is not installed (Debian: ompl-demos).
 """
 import pathlib
 import shutil

@@ -55,7 +55,7 @@ namespace ompl_mfa::engine
                 alternatives_.add(test::planarPath(space_, {{0.0, 0.0}, {1.0, y}, {2.0, 0.0}}));
             }
 
-            /* What distinguishes the paths that are kept. */
+            /* The heights of the middle states, which tell the paths kept apart. */
             std::set<double> kept() const
             {
                 std::set<double> heights;

@@ -57,7 +57,7 @@ namespace ompl_mfa::engine
     {
         using Pair = std::pair<std::size_t, std::size_t>;
 
-        /* A query whose starts and goals are added one by one; the first start is there. */
+        /* A query with one start; further starts and goals are added one by one. */
         class GrowingQuery
         {
         public:

@@ -70,7 +70,7 @@ namespace ompl_mfa::engine
             return settings;
         }
 
-        /* An engine for a problem, with all that it needs. */
+        /* An engine for a problem, with everything it needs. */
         class Search
         {
         public:
@@ -182,7 +182,7 @@ namespace ompl_mfa::engine
             EXPECT_EQ(search.engine->swarms() != nullptr, GetParam().part == PartKind::Fireflies);
         }
 
-        /* Tightening improves what the part found, whose path it remains. */
+        /* Tightening improves the path of a part, which stays the path's origin. */
         TEST_P(EngineOfOnePart, ItsPathBecomesTheShortestWithTightening)
         {
             SearchSettings settings = GetParam().settings;

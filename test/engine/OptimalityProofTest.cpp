@@ -53,7 +53,7 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Twice the length, which no detour makes less; nobody but the tests knows that. */
+        /* Twice the path length. No detour is cheaper, but the planner cannot rely on that. */
         class Double : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -70,7 +70,7 @@ namespace ompl_mfa::engine
             }
         };
 
-        /* Two halves of a motion cost half of what it costs itself; the inherited heuristic says otherwise. */
+        /* Splitting a motion halves its cost, so the inherited heuristic is no lower bound. */
         class Squared : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -181,7 +181,7 @@ namespace ompl_mfa::engine
             const auto searched = search(std::make_shared<Squared>(problem_->si));
             OptimalityProof proof(searched->context);
             offer(*searched, {{1.0, 1.0}, {9.0, 1.0}});
-            ASSERT_TRUE(searched->evaluator().bounds().admissible()) << "one motion says nothing of detours";
+            ASSERT_TRUE(searched->evaluator().bounds().admissible()) << "a single motion says nothing about detours";
             EXPECT_FALSE(proof.holds());
             EXPECT_FALSE(searched->evaluator().bounds().admissible());
         }

@@ -56,7 +56,7 @@ namespace ompl_mfa::engine
     {
         constexpr double ANY = std::numeric_limits<double>::infinity();
 
-        /* Path length on a line; a goal costs minus ten times its place beyond 5. Counts how often it is asked. */
+        /* Path length on a line; a goal costs minus ten times its distance beyond 5. Counts its calls. */
         class CountedLength : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -112,7 +112,7 @@ namespace ompl_mfa::engine
             EXPECT_TRUE(pairs_.startCanBeat(0, ANY));
             EXPECT_TRUE(pairs_.isBest(-94.0, starts_, goals_));
             EXPECT_FALSE(pairs_.isBest(2.0, starts_, goals_));
-            // what beats all bounds proves nothing
+            // a cost below all bounds proves nothing
             EXPECT_FALSE(pairs_.isBest(-95.0, starts_, goals_));
         }
 

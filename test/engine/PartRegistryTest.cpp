@@ -200,7 +200,7 @@ namespace ompl_mfa::engine
             EXPECT_THROW(make({}, [](const ob::SpaceInformationPtr &) { return ob::PlannerPtr(); }), ompl::Exception);
         }
 
-        /* Each setting adds its part and no other, in one order, whatever else is set. */
+        /* Each setting adds its part only, in a fixed order, whatever else is set. */
         TEST_F(PartRegistryTest, EverySettingDecidesOverItsOwnPart)
         {
             const std::vector<std::string> guides{"none", "trees", "roadmap", "both"};
@@ -250,7 +250,7 @@ namespace ompl_mfa::engine
             EXPECT_EQ(lists, 120U);
         }
 
-        /* There is a share for every part at every time: without one it would never have a turn. */
+        /* Every part always has a share: without one it would never get a turn. */
         TEST_F(PartRegistryTest, EveryPartHasAShare)
         {
             setDistanceGoal();

@@ -63,7 +63,7 @@ namespace ompl_mfa::engine
                 ask();
             }
 
-            /* A query that knows nothing yet. */
+            /* A new query of the problem definition. */
             void ask()
             {
                 query_ = Query(problem_->si->getStateSpace());
@@ -119,7 +119,7 @@ namespace ompl_mfa::engine
             EXPECT_TRUE(query_.differsFrom(*pdef_));
         }
 
-        /* OMPL reads all states again when the problem definition is another one. */
+        /* OMPL reads all states again for a new problem definition. */
         TEST_F(QueryTest, TheSameStatesInAnotherProblemDefinitionAreKnown)
         {
             const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
@@ -195,7 +195,7 @@ namespace ompl_mfa::engine
             beginAgain();
             query_.poll(inputs_);
             EXPECT_EQ(query_.goals().size(), 1U);
-            EXPECT_TRUE(query_.goalsComplete()) << "those that are invalid cannot come any more";
+            EXPECT_TRUE(query_.goalsComplete()) << "no more goals can follow";
         }
 
         TEST_F(QueryTest, AStateThatIsNoNumberIsNoneToPlanFrom)
@@ -211,7 +211,7 @@ namespace ompl_mfa::engine
             EXPECT_EQ(begin(), ob::PlannerStatus::INVALID_GOAL);
         }
 
-        /* A region of one point, and one of a few: what comes again is known. */
+        /* A region of one point and one of a few: repeated samples are recognised. */
         TEST_F(QueryTest, SampledGoalsAreTakenOnceToo)
         {
             class Points : public ob::GoalSampleableRegion

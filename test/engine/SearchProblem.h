@@ -37,7 +37,7 @@
 #ifndef OMPL_MFA_TEST_ENGINE_SEARCH_PROBLEM_
 #define OMPL_MFA_TEST_ENGINE_SEARCH_PROBLEM_
 
-/* What a part of a search needs around it: a problem, the planner that owns the search, and the context. */
+/* Everything that a part of a search needs: a problem, the planner that owns the search, and the context. */
 
 #include <cstddef>
 #include <cstdint>
@@ -54,7 +54,7 @@
 
 namespace ompl_mfa::test
 {
-    /** \brief The context of a search for the query of \e pdef. Nothing is searched but by the parts of the test. */
+    /** \brief The context of a search for the query of \e pdef. Only parts of the test search. */
     class SearchProblem
     {
     public:

@@ -66,12 +66,12 @@ namespace ompl_mfa::engine
 
         TEST(Streams, OfOneRunAndOfItsNeighboursBeginWithDifferentNumbers)
         {
-            // the swarms of a run have streams of their own, for each epoch
+            // the swarms of a run have separate streams, one for each epoch
             std::map<double, std::string> first;
             const auto expectNew = [&first](std::uint64_t seed, const std::string &owner)
             {
                 const auto [other, isNew] = first.emplace(RandomSource(seed).uniform(), owner);
-                EXPECT_TRUE(isNew) << owner << " draws what " << other->second << " does";
+                EXPECT_TRUE(isNew) << owner << " draws the same as " << other->second;
             };
             for (const std::uint64_t run : {1U, 2U, 8U, 1001U})
             {
@@ -96,7 +96,8 @@ namespace ompl_mfa::engine
 
         using Point = std::pair<double, double>;
 
-        /* The states off the straight motion from start to goal whose validity a run with one guide alone asks for. */
+        /* The states that a run with one guide alone checks, without those on the straight motion from start to
+           goal. */
         std::set<Point> statesOfARun(const std::string &guide, std::uint32_t seed)
         {
             std::set<Point> states;
@@ -113,7 +114,7 @@ namespace ompl_mfa::engine
                 {1.0, 1.0}, {9.0, 1.0});
             const auto planner = problem.planner(test::PlannerVariant::Default, seed);
             test::set(*planner, "guide", guide);
-            // before the fireflies, whose paths share the corners of the square, have their first turn
+            // before the first turn of the fireflies, whose paths share the corners of the square
             planner->solve(test::afterCalls(800));
             return states;
         }

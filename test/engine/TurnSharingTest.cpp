@@ -50,8 +50,8 @@ namespace ompl_mfa::engine
 
         const Ready ALL(3, Readiness::Ready);
 
-        /* Gives so many turns of equal work, with the gain that each part makes in a turn, and counts whose they were.
-         */
+        /* Gives so many turns of equal work, with the gain of each part in a turn, and counts the turns of each
+           part. */
         std::array<int, 3> turns(TurnSharing &sharing, int count, const std::array<double, 3> &gains,
                                  const Ready &readiness = ALL)
         {
@@ -156,7 +156,7 @@ namespace ompl_mfa::engine
             EXPECT_EQ(TurnSharing().next({}), std::nullopt);
         }
 
-        /* As where one part improves the path of another. */
+        /* As when one part improves the path of another. */
         TEST(TurnSharingTest, AGainCountsForEachPartThatHasAShareInIt)
         {
             TurnSharing sharing;

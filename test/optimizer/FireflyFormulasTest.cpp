@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* The optimiser moves as the equations say: against an oracle, and equation by equation. */
+/* The optimiser against the equations: compared with an oracle, and equation by equation. */
 
 #include <cmath>
 #include <set>
@@ -184,7 +184,7 @@ namespace ompl_mfa
 
         TEST(FireflyFormulas, TrialVectorsObeyEquations6To12)
         {
-            // The population is recovered from the evaluations; no firefly moves, since none is brighter than another.
+            // The population is recovered from the evaluations; no firefly moves, since all are equally bright.
             auto settings = small(Variant::MFA, 8);
             settings.alpha = 0.0;
             const Eigen::VectorXd lower = constant(4, -1e3);
@@ -319,7 +319,8 @@ namespace ompl_mfa
 
             optimizer.step(objective, never);
             EXPECT_EQ(optimizer.generation(), 11U);
-            EXPECT_NEAR(optimizer.alpha(), 0.2 * std::pow(1.0 / 20.0, 0.1), 1e-15) << "the second epoch starts anew";
+            EXPECT_NEAR(optimizer.alpha(), 0.2 * std::pow(1.0 / 20.0, 0.1), 1e-15)
+                << "the second epoch restarts the schedule";
             optimizer.restartEpoch();
             EXPECT_DOUBLE_EQ(optimizer.alpha(), 0.2);
             EXPECT_DOUBLE_EQ(optimizer.beta0(), 1.0);

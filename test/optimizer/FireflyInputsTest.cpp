@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* What the optimiser is given: orders of brightness, injected points, settings and boxes. */
+/* Inputs of the optimiser: orders of brightness, injected points, settings and boxes. */
 
 #include <cmath>
 #include <limits>
@@ -146,7 +146,7 @@ namespace ompl_mfa
             EXPECT_TRUE(optimizer.population().col(optimizer.brightestIndex()) == optimizer.best());
         }
 
-        /* Orders by the distance of the cost from an aim, which may move. */
+        /* Orders by the distance of the cost from a target, which may move. */
         class Aimed : public ObjectiveFunction
         {
         public:

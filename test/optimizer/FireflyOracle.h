@@ -45,8 +45,8 @@
 #include <random>
 #include <vector>
 
-/** \brief One run of FA or MFA written down from the formulas with plain loops, to hold the optimiser against. It
-   shares nothing with the optimiser but the order in which random numbers are drawn. Costs only, no violations. */
+/** \brief One run of FA or MFA, written from the formulas with plain loops, as a reference for the optimiser. Shares
+    only the order of random draws with it. Costs only, no violations. */
 class FireflyOracle
 {
 public:

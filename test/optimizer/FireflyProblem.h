@@ -37,7 +37,7 @@
 #ifndef OMPL_MFA_TEST_OPTIMIZER_FIREFLY_PROBLEM_
 #define OMPL_MFA_TEST_OPTIMIZER_FIREFLY_PROBLEM_
 
-/* What the tests of the firefly optimiser optimise, and optimisers small enough for many runs. */
+/* Objectives for the tests of the firefly optimiser, and optimisers small enough for many runs. */
 
 #include <cmath>
 #include <functional>
@@ -68,7 +68,7 @@ namespace ompl_mfa::test
         return cost;
     }
 
-    /** \brief Keeps what it was asked, in order. */
+    /** \brief Records the points evaluated, in order. */
     class Recorder : public ObjectiveFunction
     {
     public:
@@ -118,7 +118,7 @@ namespace ompl_mfa::test
         return {settings, Eigen::Vector3d(-4.0, 0.5, -1.0), Eigen::Vector3d(6.0, 2.5, 30.0), seed};
     }
 
-    /** \brief For tests that hold of the firefly algorithm and of the modified one. */
+    /** \brief For tests of both the firefly algorithm and the modified one. */
     class FireflyVariants : public ::testing::TestWithParam<Variant>
     {
     };

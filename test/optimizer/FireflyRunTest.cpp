@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* The optimiser over a whole run: what it spends, when it stops, what is the same from run to run. */
+/* The optimiser over a whole run: evaluations, termination and reproducibility. */
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +118,7 @@ namespace ompl_mfa
             }
             for (int t = 0; t < 6; ++t)
             {
-                // Every evaluation is its own call.
+                // Interrupted after every evaluation.
                 std::uint64_t limit = interrupted.evaluations();
                 while (!interrupted.step(same, [&] { return interrupted.evaluations() >= limit; }))
                 {
@@ -147,8 +147,8 @@ namespace ompl_mfa
             EXPECT_EQ(asked, objective.points.size());
         }
 
-        /* Stops at every question but the one after each stop, so that a run under it is interrupted wherever it can
-           be. */
+        /* Stops at every evaluation of the condition but the one after each stop, so that a run is interrupted wherever
+           it can be. */
         class EverySecond
         {
         public:
@@ -191,8 +191,8 @@ namespace ompl_mfa
             }
         }
 
-        /* How often stop is asked before the first evaluation, between each two and after the last of a step, as the
-           evaluations themselves see it. */
+        /* How often the stop condition is evaluated before the first evaluation, between each two and after the last of
+           a step. */
         struct Questions
         {
             std::uint64_t beforeTheFirst;
@@ -231,13 +231,13 @@ namespace ompl_mfa
         {
             constexpr unsigned int SIZE = 4000;
             constexpr unsigned int DIMENSION = 20;
-            // no more operations than these between two questions: a tenth of a millisecond of work
+            // at most so many operations between two evaluations of the condition: a tenth of a millisecond of work
             constexpr std::uint64_t BETWEEN = 8192;
             FireflyOptimizer optimizer(small(Variant::FA, SIZE), constant(DIMENSION, -3.0), constant(DIMENSION, 5.0),
                                        2);
             const Questions initial = questionsOfAStep(optimizer);
             EXPECT_GE(initial.beforeTheFirst, SIZE * DIMENSION / BETWEEN);
-            // a sort of so many compares each with the others 11 times or so
+            // sorting so many compares each with others about 11 times
             EXPECT_GE(initial.afterTheLast, SIZE * 11 / BETWEEN);
             const Questions moves = questionsOfAStep(optimizer);
             EXPECT_GE(moves.beforeTheFirst, std::uint64_t(SIZE) * (SIZE - 1) / 2 * DIMENSION / BETWEEN);
@@ -246,7 +246,7 @@ namespace ompl_mfa
 
         TEST(FireflyRun, AsksStopInTheMovesOfOneFirefly)
         {
-            // the last of two fireflies' chains of moves are 149 and 148 moves long, of 3000 coordinates each
+            // the dimmest two fireflies make 149 and 148 moves, of 3000 coordinates each
             FireflyOptimizer optimizer(small(Variant::FA, 150), constant(3000, -3.0), constant(3000, 5.0), 2);
             questionsOfAStep(optimizer);
             EXPECT_GE(questionsOfAStep(optimizer).beforeTheFirst, 150U * 149U / 2U * 3000U / 8192U);

@@ -47,8 +47,8 @@
 
 namespace ompl_mfa::oracle
 {
-    /* Reads the scene with a reader of its own, so that neither the collision room nor the planner has a part in the
-       optimum that planners are measured against. */
+    /* Reads the scene with its own reader, so that the optimum against which planners are measured depends neither on
+       ompl_mfa_collision nor on the planner. */
     namespace
     {
         const Point START(0.3, 2.2);
@@ -118,8 +118,7 @@ namespace ompl_mfa::oracle
 
     TEST(PaperScene, HasSeveralHomotopyClassesNearTheOptimum)
     {
-        /* A wall from an obstacle outwards, on one side of it, leaves only the classes that pass it on the other side.
-         */
+        /* A wall from an obstacle outwards, on one side of it, leaves only the homotopy classes on the other side. */
         const Scene scene = readScene();
         const double optimum = shortestPath(scene, START, GOAL).length;
         const Point along = (GOAL - START).normalized();

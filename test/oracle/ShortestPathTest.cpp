@@ -59,7 +59,7 @@ namespace ompl_mfa::oracle
             return length;
         }
 
-        /* Two tangents from distance d and d' to a disc at the middle of the way, and the arc between them. */
+        /* Two tangents from distances \e toStart and \e toGoal to the centre of a disc, and the arc between them. */
         double aroundDisc(double toStart, double toGoal, double radius)
         {
             const double arc = M_PI - std::acos(radius / toStart) - std::acos(radius / toGoal);
@@ -80,7 +80,7 @@ namespace ompl_mfa::oracle
             return polygon;
         }
 
-        /* An obstacle as an independent distance function sees it: a disc (size.y() == 0) or a turned box. */
+        /* An obstacle for an independent distance function: a disc (size.y() == 0) or a turned box. */
         struct Shape
         {
             Point centre;
@@ -144,7 +144,7 @@ namespace ompl_mfa::oracle
             return true;
         }
 
-        /* Dijkstra over a grid of 0.1 m from (0, 0) to (20, 20) with the 16 moves of king and knight. */
+        /* Dijkstra over a grid of 0.1 m from (0, 0) to (20, 20) with the 16 moves of a king and a knight. */
         double gridLength(const std::vector<Shape> &shapes, double clearance, int startCell, int goalCell)
         {
             constexpr int SIDE = 201;
@@ -213,9 +213,9 @@ namespace ompl_mfa::oracle
     {
         Scene scene;
         scene.obstacles = {rectangle({0.0, 0.0}, {2.0, 6.0})};
-        /* A point turns at the corners (-1, 3) and (1, 3). */
+        /* The path of a point turns at the corners (-1, 3) and (1, 3). */
         EXPECT_NEAR(shortestPath(scene, {-5.0, 0.0}, {5.0, 0.0}).length, 2.0 + 2.0 * 5.0, 1e-7);
-        /* A disc follows a quarter circle less the tangents' slope at each corner. */
+        /* That of a disc follows an arc at each corner. */
         scene.robotRadius = 0.5;
         const double toCorner = 5.0;
         const double slope = std::atan2(3.0, 4.0) + std::asin(0.5 / toCorner);
@@ -250,11 +250,11 @@ namespace ompl_mfa::oracle
 
     TEST(ShortestPath, DoesNotFollowAnArcIntoAnotherObstacle)
     {
-        /* Two overlapping discs: the way round the far one is shorter on the side where they do not overlap. */
+        /* Two overlapping discs: the path around the far one is shorter on the side where they do not overlap. */
         Scene scene;
         scene.obstacles = {disc({5.0, 0.0}, 1.0), disc({5.0, 1.5}, 1.0)};
         EXPECT_NEAR(shortestPath(scene, {0.0, 0.0}, {10.0, 0.0}).length, aroundDisc(5.0, 5.0, 1.0), 1e-7);
-        /* With the near side closed by a wall as well, only the way over the upper disc is left. */
+        /* With the near side closed by a wall too, only the path over the upper disc is left. */
         scene.obstacles.push_back(rectangle({5.0, -500.0}, {0.2, 1000.0}));
         const double toUpper = std::hypot(5.0, 1.5);
         const double tangent = std::sqrt(toUpper * toUpper - 1.0);
@@ -332,7 +332,7 @@ namespace ompl_mfa::oracle
             {
                 EXPECT_TRUE(isFree(shapes, best.path[i - 1], best.path[i], scene.robotRadius - 1e-3));
             }
-            /* The grid's moves cost 2.8% in open space; the rest is what it leaves to obstacles on the way. */
+            /* The grid's moves cost 2.8% in open space; the rest is its error beside obstacles. */
             const double grid = gridLength(shapes, scene.robotRadius, 4, 196);
             EXPECT_LE(best.length, grid);
             EXPECT_GT(best.length, 0.96 * grid);

@@ -104,7 +104,7 @@ TEST(PagmoFirefly, IsDeterministicInItsSeed)
     pagmo::algorithm b(withSeed(7));
     const auto first = a.evolve(ackley());
     EXPECT_EQ(first.get_x(), b.evolve(ackley()).get_x());
-    EXPECT_NE(first.get_x(), a.evolve(ackley()).get_x()) << "the next call goes on with other numbers";
+    EXPECT_NE(first.get_x(), a.evolve(ackley()).get_x()) << "the next call continues the random sequence";
     a.set_seed(7);
     EXPECT_EQ(first.get_x(), a.evolve(ackley()).get_x());
     a.set_seed(8);

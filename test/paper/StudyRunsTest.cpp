@@ -68,7 +68,7 @@ namespace ompl_mfa::paper
                 std::filesystem::remove_all(options_.outputFolder);
             }
 
-            /* Runs 1 to \e count, each with the process that made it and its parent. */
+            /* Runs 1 to \e count; each returns the ids of its process and of its parent. */
             static std::vector<StudyRun> runs(unsigned int count)
             {
                 std::vector<StudyRun> all;
@@ -107,7 +107,8 @@ namespace ompl_mfa::paper
         const std::vector<Json> after = makeStudyRuns(options_, "part", "a", runs(5));
         ASSERT_EQ(after.size(), 5U);
         EXPECT_EQ(after[2], before[2]);
-        EXPECT_EQ(makeStudyRuns(options_, "part", "a", runs(2)).size(), 2U) << "those that are not asked for stay out";
+        EXPECT_EQ(makeStudyRuns(options_, "part", "a", runs(2)).size(), 2U)
+            << "runs that were not requested are left out";
         EXPECT_THROW(makeStudyRuns(options_, "part", "b", runs(5)), InputError);
         EXPECT_EQ(makeStudyRuns(options_, "other", "b", runs(5)).size(), 5U) << "each part has its own journal";
     }

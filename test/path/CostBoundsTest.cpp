@@ -56,7 +56,7 @@ namespace ompl_mfa::path
     {
         constexpr double NONE = std::numeric_limits<double>::infinity();
 
-        /* Inherits a heuristic that is its own motionCost. */
+        /* Inherits motionCost() as its heuristic. */
         class Derived : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -128,7 +128,7 @@ namespace ompl_mfa::path
             }
         }
 
-        /* Why the last test excepts them: a Dubins car that may be moved either way does better with a cusp. */
+        /* Why the last test leaves them out: for a Dubins car that may reverse a path with a cusp is shorter. */
         TEST_F(CostBoundsTest, SymmetricDubinsCurvesAreLongerThanSomeDetour)
         {
             const auto space = test::dubinsSpace(true);
@@ -175,7 +175,7 @@ namespace ompl_mfa::path
             EXPECT_TRUE(beatable(bounds, 0.1));
         }
 
-        /* Path length with a price of the first and of the last state. */
+        /* Path length with costs of the first and the last state. */
         class PricedEnds : public Derived
         {
         public:

@@ -37,7 +37,7 @@
 #ifndef OMPL_MFA_TEST_PATH_COUNTING_PROBLEM_
 #define OMPL_MFA_TEST_PATH_COUNTING_PROBLEM_
 
-/* A space information that counts what is asked of it. */
+/* A space information that counts checks and motions. */
 
 #include <atomic>
 #include <cstdint>

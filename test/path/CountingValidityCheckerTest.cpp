@@ -53,7 +53,7 @@ namespace ompl_mfa::test
     {
         namespace ob = ompl::base;
 
-        /* Answers each of the five questions differently. */
+        /* Answers each of the five queries differently. */
         class Witness : public ob::StateValidityChecker
         {
         public:

@@ -72,7 +72,7 @@ namespace ompl_mfa::path
         }
 
         /* By how many radii the line straight ahead of one pose misses the circle on one side (1: left) of the other,
-           and how far ahead it touches it: what the guard knows in another frame. */
+           and how far ahead it touches it: the guard's quantities, computed in another frame. */
         struct Tangent
         {
             Tangent(const Pose &from, const Pose &to, double radius, double side)
@@ -87,8 +87,8 @@ namespace ompl_mfa::path
             double ahead;
         };
 
-        /* Draws pairs near those that OMPL cannot compute: the second pose lies at the end of a straight piece and an
-           arc, and both are then moved and turned by amounts of all magnitudes. */
+        /* Draws pairs near those that OMPL cannot compute: the second pose lies at the end of a line and an arc, and
+           both are then moved and turned by amounts of all magnitudes. */
         class NearTangentPairs
         {
         public:
@@ -180,7 +180,7 @@ namespace ompl_mfa::path
                                       }}),
             test::SpaceName());
 
-        /* Each of OMPL's assertions that fails would end this program. */
+        /* A failed assertion of OMPL would end this program. */
         TEST_P(DubinsVariants, OmplComputesWhatItIsAskedAndAllPairsHaveADistance)
         {
             const auto space = GetParam().make();
@@ -227,8 +227,8 @@ namespace ompl_mfa::path
             EXPECT_LT(refused, PAIRS / 4);
         }
 
-        /* A refusal without need would cost paths: only pairs are refused whose line ahead nearly touches a circle;
-           random ones only where they end in a small turn. */
+        /* Needless rejections would cost paths: only pairs whose line ahead nearly touches a circle are rejected, and
+           random pairs only if they end in a small turn. */
         TEST(DubinsGuard, RefusesOnlyNearTangentPairs)
         {
             const double radius = 0.7;
@@ -336,7 +336,7 @@ namespace ompl_mfa::path
             EXPECT_TRUE(space->equalStates(state.get(), to.get()));
         }
 
-        /* What a user does with a path: interpolate it, and measure and check the pieces. */
+        /* What a user does with a path: interpolate it, and measure and check its segments. */
         TEST(DubinsGuard, PartsOfAnAllowedMotionAreAllowed)
         {
             const double radius = 1.0;
@@ -380,7 +380,7 @@ namespace ompl_mfa::path
             }
         }
 
-        /* Debian's OMPL 1.5.2 aborts in the distance of these two, which tightening once asked for. */
+        /* Debian's OMPL 1.5.2 aborts on the distance of these two, which tightening once computed. */
         TEST(DubinsGuard, RefusesAPairThatEndedARun)
         {
             const auto space = test::dubinsSpace(false, 0.5);
@@ -391,7 +391,7 @@ namespace ompl_mfa::path
             const DubinsGuard guard(space);
             EXPECT_FALSE(guard.computes(from.get(), to.get()));
             EXPECT_NEAR(guard.distance(from.get(), to.get()), std::hypot(3.94626, 0.33907), 1e-3);
-            // a car that may take the curve in reverse has both directions computed
+            // for a car that may drive the curve in reverse both directions are computed
             const DubinsGuard symmetric(test::dubinsSpace(true, 0.5));
             EXPECT_FALSE(symmetric.computes(from.get(), to.get()));
             EXPECT_FALSE(symmetric.computes(to.get(), from.get()));

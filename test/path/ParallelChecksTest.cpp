@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* Several threads answer as one does, and count as one does; only sooner. */
+/* Several threads give the same results and counts as one. */
 
 #include "path/ParallelChecks.h"
 
@@ -60,7 +60,7 @@ namespace ompl_mfa::path
 {
     namespace
     {
-        /* The square [0, 10]^2 with a wall 4.5 < x < 5.5 below y = 6; whole motions or single states are shared out. */
+        /* The square [0, 10]^2 with a wall 4.5 < x < 5.5 below y = 6; threads share whole motions or single states. */
         class ParallelChecksTest : public ::testing::TestWithParam<bool>
         {
         protected:
@@ -90,7 +90,7 @@ namespace ompl_mfa::path
             std::uint64_t asked{0};
         };
 
-        /* Asks for 60 random paths, with rivals and without, until the stop condition ends it. */
+        /* Checks 60 random paths, with rivals and without, until the stop condition ends it. */
         Answers answers(const ob::SpaceInformationPtr &si, unsigned int threads, std::uint64_t stopAfter)
         {
             PathEvaluator evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si), threads);

@@ -127,12 +127,12 @@ namespace ompl_mfa::path
 
         TEST_F(PathEvaluatorTest, TheViolationIsTheLengthOfTheInvalidPart)
         {
-            // the wall is 2 wide; the states that are checked on the motion of length 4 lie at most this far apart
+            // the wall is 2 wide; the states checked on the motion of length 4 are at most this far apart
             const double resolution = 0.001 * space_->getMaximumExtent();
             const Brightness straight = evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr);
             EXPECT_NEAR(straight.violation, 2.0, 2.0 * resolution);
             EXPECT_DOUBLE_EQ(straight.cost, 9.0);
-            // there, back and there again: every passage counts
+            // across, back and across again: every passage counts
             const Brightness thrice = evaluator_.evaluate(path({{3, 0}, {7, 0}, {3, 0}, {7, 0}}), nullptr);
             EXPECT_NEAR(thrice.violation, 6.0, 6.0 * resolution);
             // two waypoints inside the wall: of lengths 2 + 1 + 2, invalid are 1 + 1 + 1
@@ -174,14 +174,14 @@ namespace ompl_mfa::path
             EXPECT_DOUBLE_EQ(coarse.cost, exact.cost);
             EXPECT_LT(problem_.states, states / 10);
             EXPECT_EQ(problem_.motions, 0U);
-            // a rival with less violation settles it
+            // a rival with less violation decides
             const Brightness rival{0.5, 0.0};
             EXPECT_EQ(evaluator_.evaluate(path(THROUGH_THE_WALL), &rival, STRIDE).violation, Brightness().violation);
         }
 
         TEST_F(PathEvaluatorTest, WhatOnlyOtherStatesThanThoseOfTheStrideFindInvalidIsInvalid)
         {
-            // with this stride only the end of each motion is asked, and that is valid
+            // with this stride only the end of each motion is checked, and it is valid
             const Brightness brightness = evaluator_.evaluate(path({{0, 0}, {9, 0}}), nullptr, 1000);
             EXPECT_FALSE(brightness.isFeasible());
             EXPECT_TRUE(evaluator_.evaluate(path(OVER_THE_WALL), nullptr, 1000).isFeasible());
@@ -196,7 +196,7 @@ namespace ompl_mfa::path
             EXPECT_EQ(problem_.states, 0U);
             EXPECT_FALSE(longer.isFeasible());
             EXPECT_FALSE(evaluator_.isBrighter(longer, rival));
-            // a tie does not win either
+            // a tie is not better either
             evaluator_.evaluate(path(OVER_THE_WALL), &rival);
             EXPECT_EQ(problem_.motions, 0U);
             EXPECT_EQ(problem_.states, 0U);
@@ -222,7 +222,7 @@ namespace ompl_mfa::path
             problem_.forget();
             EXPECT_FALSE(evaluator_.evaluate(path(THROUGH_THE_WALL), &rival).isFeasible());
             EXPECT_EQ(problem_.motions, 1U);
-            // and all the others are still checked
+            // and all others are still checked
             problem_.forget();
             EXPECT_TRUE(evaluator_.evaluate(path({{0, 0}, {3, 5.5}, {7, 5.5}, {9, 0}}), &rival).isFeasible());
             EXPECT_EQ(problem_.motions, 3U);
@@ -234,7 +234,7 @@ namespace ompl_mfa::path
             const Brightness thrice = evaluator_.evaluate(path({{3, 0}, {7, 0}, {3, 0}, {7, 0}}), &once);
             EXPECT_TRUE(evaluator_.isBrighter(once, thrice));
             EXPECT_EQ(thrice.violation, std::numeric_limits<double>::infinity());
-            // a longer path may be brighter, for violation comes first
+            // a longer path may be brighter: violation comes first
             const Brightness corner = evaluator_.evaluate(path({{0, 0}, {3.5, 4.5}, {7, 5.5}, {9, 0}}), &once);
             EXPECT_GT(corner.cost, once.cost);
             EXPECT_TRUE(evaluator_.isBrighter(corner, once));

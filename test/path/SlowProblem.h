@@ -37,8 +37,8 @@
 #ifndef OMPL_MFA_TEST_PATH_SLOW_PROBLEM_
 #define OMPL_MFA_TEST_PATH_SLOW_PROBLEM_
 
-/* A problem whose states take so long to check that several threads are worth waking. It tells how many were in the
-   checker at once. */
+/* A problem with state checks slow enough for several threads to pay. Reports how many threads were in the checker at
+   once. */
 
 #include <algorithm>
 #include <atomic>
@@ -55,7 +55,7 @@
 
 namespace ompl_mfa::test
 {
-    /** \brief Checks a motion as a whole, from its beginning, as a validator of a user's own may. */
+    /** \brief Checks whole motions, from their beginning, as a user's validator may. */
     class WholeMotionValidator : public ompl::base::MotionValidator
     {
     public:
@@ -76,7 +76,7 @@ namespace ompl_mfa::test
         {
             const auto &space = si_->getStateSpace();
             const unsigned int count = std::max(1U, space->validSegmentCount(from, to));
-            // freed when a checker throws, too
+            // released when a checker throws, too
             ompl::base::ScopedState<> state(si_->getStateSpace());
             bool valid = true;
             for (unsigned int i = 1; i <= count && valid; ++i)

@@ -296,7 +296,7 @@ namespace ompl_mfa::path
             ob::ScopedState<> base(space);
             base[0] = 4.0;
             base[1] = 5.0;
-            // x can grow by 6 of the 12 asked for, so y may move only half of the 4 asked for
+            // x can grow by 6 of the requested 12, so y moves only half of the requested 4
             const Eigen::Vector2d delta(12.0, -4.0);
             EXPECT_DOUBLE_EQ(chart.reach(base.get(), delta), 0.5);
             ob::ScopedState<> state(space);

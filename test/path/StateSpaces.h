@@ -37,7 +37,7 @@
 #ifndef OMPL_MFA_TEST_PATH_STATE_SPACES_
 #define OMPL_MFA_TEST_PATH_STATE_SPACES_
 
-/* The state spaces that the tests plan in, each set up and ready to allocate states. */
+/* The state spaces of the tests, set up and ready to allocate states. */
 
 #include <functional>
 #include <memory>

@@ -198,7 +198,7 @@ namespace ompl_mfa::path
 
         TEST_F(WaypointsTest, AnAssignedPathHasTheSpaceOfItsOriginal)
         {
-            // states of different sizes: copied in the wrong space, a part of them would be lost
+            // states of different sizes: copied in the wrong space, some of their values would be lost
             const auto plane = test::realVectorSpace(2);
             Waypoints planar = test::planarPath(plane, {{1.0, 2.0}, {3.0, 4.0}});
             Waypoints path = make({5.0, 6.0, 7.0});
@@ -214,7 +214,7 @@ namespace ompl_mfa::path
             EXPECT_EQ(moved.space(), plane);
             ASSERT_EQ(moved.size(), 2U);
             EXPECT_TRUE(plane->equalStates(moved[1], path[1]));
-            // what was there is freed in its own space, and either can be filled again
+            // the old states are freed in their own space, and either can be filled again
             moved.resize(5);
             planar = make({8.0, 9.0});
             EXPECT_EQ(values(planar), (std::vector<double>{8.0, 9.0}));

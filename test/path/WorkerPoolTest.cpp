@@ -48,7 +48,7 @@ namespace ompl_mfa::path
 {
     namespace
     {
-        /* Keeps the thread that comes first inside until another one is there, or for a minute. */
+        /* Blocks the first thread until another one arrives, or for a minute. */
         class Meeting
         {
         public:

@@ -72,7 +72,7 @@ namespace ompl_mfa::planner
             {
                 EXPECT_FALSE(shares.contains(value)) << value;
             }
-            EXPECT_EQ(shares.suggestion(), "-1.0:0.125:2.5") << "OMPL takes 2 for a whole number";
+            EXPECT_EQ(shares.suggestion(), "-1.0:0.125:2.5") << "OMPL reads 2 as an integer";
             EXPECT_EQ(shares.description(), "-1 to 2.5");
         }
 
@@ -136,7 +136,7 @@ namespace ompl_mfa::planner
 
         RC_GTEST_PROP(AcceptedValuesProperty, NoTextIsReadInPart, (std::string text))
         {
-            // what follows a number makes it none, whatever it is
+            // a number followed by anything else is no number
             RC_PRE(!text.empty() && text.find_first_of("0123456789.eE") == std::string::npos);
             double real = 7.0;
             unsigned int whole = 7;

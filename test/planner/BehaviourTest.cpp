@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* MFA over time: solved again, cleared, asked something else, and what it publishes meanwhile. */
+/* MFA over time: solved again, cleared, given other queries, and what it publishes meanwhile. */
 
 #include <limits>
 #include <memory>
@@ -110,7 +110,7 @@ namespace ompl_mfa::planner
             std::uint64_t iterations = planner_->iterations();
             for (int i = 0; i < 8; ++i)
             {
-                // a planner that starts again, from the same seed, has nothing to report after so few calls
+                // a planner that restarts from the same seed has nothing to report after so few calls
                 pdef_.clearSolutionPaths();
                 ASSERT_EQ(planner_->solve(test::afterCalls(2)), ob::PlannerStatus::EXACT_SOLUTION);
                 EXPECT_LE(planner_->bestCost(), best);

@@ -44,7 +44,7 @@
 
 namespace ompl_mfa::test
 {
-    /** \brief Takes OMPL's console over while it lives and keeps what is written to it. */
+    /** \brief Replaces OMPL's output handler while it lives, and records the messages. */
     class ConsoleRecord : private ompl::msg::OutputHandler
     {
     public:

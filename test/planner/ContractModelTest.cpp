@@ -72,7 +72,7 @@ namespace ompl_mfa::planner
     {
         using Point = std::array<double, 2>;
 
-        /* Those with 4.5 < x < 5.5 lie in a wall, if it is high enough. */
+        /* Points with 4.5 < x < 5.5 lie in a wall, if it is high enough. */
         const std::array<Point, 8> POINTS{{{1, 1}, {2, 2}, {1, 8}, {5, 1}, {9, 1}, {9, 9}, {3, 3}, {5, 5}}};
 
         enum class Call
@@ -142,7 +142,7 @@ namespace ompl_mfa::planner
             return out << NAMES[static_cast<std::size_t>(command.call)] << '(' << command.a << ", " << command.b << ')';
         }
 
-        /* In [0, end), as likely at the beginning of a test, where RapidCheck keeps to small numbers, as later. */
+        /* Uniform in [0, end) from the first case on, although RapidCheck starts with small numbers. */
         template <typename T>
         rc::Gen<T> below(T end)
         {
@@ -159,7 +159,7 @@ namespace ompl_mfa::planner
             return rc::gen::scale(2.0, rc::gen::container<std::vector<Command>>(command));
         }
 
-        /* What a parameter accepts and refuses, as docs/planner.md has it. */
+        /* The values that a parameter accepts and rejects according to docs/planner.md. */
         struct Values
         {
             std::string name;
@@ -186,7 +186,7 @@ namespace ompl_mfa::planner
             return VALUES;
         }
 
-        /* How many starts there are to be: none, now and then. */
+        /* The number of starts to add: none, now and then. */
         unsigned int startsOf(unsigned int a)
         {
             return a % 8 == 0 ? 0 : 1 + a % 3;
@@ -194,7 +194,7 @@ namespace ompl_mfa::planner
 
         using Parameters = std::map<std::string, std::string>;
 
-        /* The planner, its problem and what the model knows of both. */
+        /* The planner, its problem and the model's knowledge of both. */
         class Model
         {
         public:
@@ -249,13 +249,13 @@ namespace ompl_mfa::planner
             bool isGoal(const ob::State *state) const;
             std::vector<const ob::State *> listedGoals() const;
 
-            /* Whether a search that begins now has no part that finds paths. */
+            /* Whether a search that starts now has no part that finds paths. */
             bool nothingSearches() const
             {
                 return set_.at("fireflies") == "0" && set_.at("guide") == "none" && !guidePlanner_;
             }
 
-            /* The query, or its settings, may be new with the next solve(). */
+            /* The next solve() may have a new query or new settings. */
             void mayRestart()
             {
                 kept_ = false;
@@ -289,10 +289,10 @@ namespace ompl_mfa::planner
                 bool guidePlanner;
             };
 
-            Parameters set_;              ///< as they were set last
-            std::vector<Frozen> frozen_;  ///< one of these the search has
-            bool kept_{false};            ///< nothing happened that may make the next solve() restart
-            bool searched_{false};        ///< the last call that matters was a solve() that searched
+            Parameters set_;              ///< as they were last set
+            std::vector<Frozen> frozen_;  ///< the search has one of these
+            bool kept_{false};            ///< nothing has happened that may make the next solve() restart
+            bool searched_{false};        ///< the last relevant call was a solve() that searched
             bool solved_{false};          ///< whether it found a path
             double cost_{0.0};
             std::uint64_t evaluations_{0};
@@ -321,7 +321,7 @@ namespace ompl_mfa::planner
             const auto n = static_cast<unsigned int>(std::max(x, 0.0));
             const auto setting = [&](const std::string &name, bool accepted, const std::string &text, auto setter)
             {
-                // large ones are tried by text, where they only take long to search with
+                // large ones are only set as text: searching with them takes too long
                 const bool large = n > 4 && (name == "population_size" || name == "slices" || name == "threads");
                 if (accepted && large)
                 {
@@ -401,7 +401,7 @@ namespace ompl_mfa::planner
                     goal_ = std::make_shared<test::DistanceGoal>(problem_.si, state(POINTS[4 + b % 3]).get(), 1.0);
                     break;
                 case Kind::Patch:
-                    // never in the wall: a sampler of invalid states is waited for
+                    // never in the wall: the planner would wait for valid samples
                     goal_ = std::make_shared<test::PatchGoal>(problem_.si, POINTS[4 + b % 3], 0.5,
                                                               b % 2 == 0 ? 2 : 1000000);
                     break;
@@ -469,7 +469,7 @@ namespace ompl_mfa::planner
             planner_.setProblemDefinition(next);
         }
 
-        /* What may change the query, or the world. */
+        /* Changes that may concern the query or the world. */
         void Model::change(const Command &command)
         {
             mayRestart();
@@ -609,7 +609,7 @@ namespace ompl_mfa::planner
 
         void Model::solve(unsigned int evaluations)
         {
-            // whether the search is new, or may be
+            // whether the search is new, or may be new
             const bool begins = frozen_.empty();
             const bool mayBegin = begins || !kept_;
             const bool complete = hasProblem_ && problem_.pdef->getStartStateCount() > 0 && problem_.pdef->getGoal();
@@ -636,7 +636,7 @@ namespace ompl_mfa::planner
                 return;
             }
             RC_ASSERT(!begins || !nothingSearches());
-            // where the query may have changed, the search may have the parameters of either
+            // if the query may have changed, the search may have the parameters of either
             if (mayBegin)
             {
                 frozen_.push_back({set_, guidePlanner_});
@@ -652,7 +652,7 @@ namespace ompl_mfa::planner
             expectPlannerData();
         }
 
-        /* Whether there is nothing to plan; then the status has to say why. */
+        /* Whether there is nothing to plan; the status has to say why. */
         bool Model::expectRefusal(const ob::PlannerStatus &status, std::size_t evaluations) const
         {
             bool validStart = false;
@@ -671,7 +671,7 @@ namespace ompl_mfa::planner
             }
             else if (!validGoal)
             {
-                // a condition may leave no time to look at all of them
+                // a condition may leave no time to check all of them
                 RC_ASSERT(status == ob::PlannerStatus::INVALID_GOAL ||
                           (status == ob::PlannerStatus::TIMEOUT && evaluations < listedGoals().size()));
             }
@@ -717,7 +717,7 @@ namespace ompl_mfa::planner
             RC_ASSERT(pdef.getSolutionDifference() == distance);
         }
 
-        /* What was switched off when the query began has no share in it. */
+        /* A part that was off when the query began has no share. */
         void Model::expectShares()
         {
             const std::map<std::string, double> shares = planner_.shares();

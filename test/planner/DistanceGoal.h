@@ -42,7 +42,7 @@
 
 namespace ompl_mfa::test
 {
-    /** \brief All states within a distance of a target; it tells distances and cannot be sampled. */
+    /** \brief All states within a distance of a target; gives distances and cannot be sampled. */
     class DistanceGoal : public ompl::base::GoalRegion
     {
     public:

@@ -34,8 +34,8 @@
 
 /* Author: the ompl_mfa authors */
 
-/* MFA with cars whose curves OMPL cannot compute where they are nearly tangent: an assertion of OMPL ends the process.
-   See DubinsGuard. */
+/* MFA with cars whose curves OMPL cannot compute if they are nearly tangent: an assertion of OMPL ends the process. See
+   DubinsGuard. */
 
 #include <cmath>
 #include <memory>
@@ -82,7 +82,7 @@ namespace ompl_mfa::planner
         INSTANTIATE_TEST_SUITE_P(Planner, Cars, ::testing::Bool(),
                                  [](const auto &car) { return car.param ? "Symmetric" : "OneWay"; });
 
-        /* Of such runs 12 in 30 (one way) and 6 in 10 (symmetric) were ended by an assertion of OMPL 1.5.2. */
+        /* Of such runs an assertion of OMPL 1.5.2 ended 12 in 30 (one-way) and 6 in 10 (symmetric). */
         TEST_P(Cars, PathsThroughACorridorAreTightened)
         {
             for (std::uint32_t seed = 1; seed <= 10; ++seed)
@@ -97,7 +97,7 @@ namespace ompl_mfa::planner
             }
         }
 
-        /* A start whose heading is the direction to the goal as far as a user writes it down. */
+        /* A start whose heading is the direction to the goal, as precisely as a user writes it down. */
         TEST_P(Cars, AStartThatHeadsForTheGoalNearlyStraightIsSolved)
         {
             for (const double off : {-4e-7, -2e-7, 2e-7, 4e-7})
@@ -120,7 +120,7 @@ namespace ompl_mfa::planner
             }
         }
 
-        /* The piece of a path that is reported ends on the straight way to the goal, of which it lacks a part. */
+        /* An approximate solution ends on the straight line to the goal and lacks the last section of it. */
         TEST_P(Cars, AClosedGoalIsApproachedStraight)
         {
             for (const double off : {0.0, -4e-7, 3e-7})
@@ -143,7 +143,7 @@ namespace ompl_mfa::planner
             }
         }
 
-        /* Several motions are checked at once, of which none may be one that OMPL cannot compute. */
+        /* Several motions are checked at once; none of them may be one that OMPL cannot compute. */
         TEST_P(Cars, WithTwoThreadsARunIsTheSame)
         {
             for (std::uint32_t seed = 1; seed <= 4; ++seed)

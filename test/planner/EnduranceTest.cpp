@@ -34,8 +34,8 @@
 
 /* Author: the ompl_mfa authors */
 
-/* What a planner has to survive: cycles of solve and clear, less and less time, problem definitions that go away, and a
-   thousand solves in a row without growing. */
+/* What a planner must survive: cycles of solve and clear, less and less time, problem definitions that are destroyed,
+   and a thousand solves in a row without growing. */
 
 #include <malloc.h>
 
@@ -110,7 +110,7 @@ namespace ompl_mfa::planner
             double best = planner->bestCost();
             for (double seconds = 0.1; seconds > 1e-7; seconds /= 2.0)
             {
-                // however little time there is, what is known is reported
+                // however little time there is, the known path is reported
                 problem_->pdef->clearSolutionPaths();
                 ASSERT_EQ(planner->solve(seconds), ob::PlannerStatus::EXACT_SOLUTION) << seconds << " s";
                 EXPECT_LE(planner->bestCost(), best);
@@ -145,7 +145,7 @@ namespace ompl_mfa::planner
                 EXPECT_TRUE(problem_->si->equalStates(path.getState(0), problem_->state(start).get()));
                 planner->setProblemDefinition(ob::ProblemDefinitionPtr());
                 pdef.reset();
-                // what is asked of it without a problem definition must not touch the old one
+                // calls without a problem definition must not access the old one
                 ob::PlannerData data(problem_->si);
                 planner->getPlannerData(data);
                 planner->clear();
@@ -173,8 +173,8 @@ namespace ompl_mfa::planner
             EXPECT_TRUE(copy->hasExactSolution());
         }
 
-        /* Bytes that are allocated and not freed. Sanitizers replace the allocator, count nothing here and find leaks
-           by themselves. */
+        /* Bytes that are allocated and not freed. Sanitizers replace the allocator, so nothing is counted then, and
+           find leaks by themselves. */
         std::size_t bytesInUse()
         {
             const auto info = mallinfo2();
@@ -203,12 +203,12 @@ namespace ompl_mfa::planner
                     early = bytesInUse();
                 }
             }
-            // 800 solves more; a state that was forgotten in each would be 800 times 48 bytes
+            // 800 more solves; a state leaked in each would be 800 times 48 bytes
             EXPECT_LT(bytesInUse(), early + 16 * 1024);
             ompl::msg::setLogLevel(level);
         }
 
-        /* A server that keeps its planner asks the same question in one problem definition after the other. */
+        /* A server that keeps its planner solves the same query in one problem definition after the other. */
         TEST_P(Endurance, TheSameQueryInAThousandProblemDefinitionsDoesNotGrow)
         {
             const auto level = ompl::msg::getLogLevel();
@@ -236,7 +236,7 @@ namespace ompl_mfa::planner
                 }
             }
             EXPECT_LT(bytesInUse(), early + 16 * 1024);
-            // the path to the nearer goal is the best possible: there is only its own motion to check again
+            // the path to the nearer goal is optimal: only its own motion is checked again
             EXPECT_LE(problem_->counted.motions, motions + 800);
             ompl::msg::setLogLevel(level);
         }
@@ -260,7 +260,7 @@ namespace ompl_mfa::planner
             ompl::msg::setLogLevel(level);
         }
 
-        /* A roadmap keeps its samples; the paper's swarm needs no more for a longer search. */
+        /* A roadmap keeps its samples; the paper's swarm needs no more memory for a longer search. */
         TEST(LongSearch, OfThePaperDoesNotGrow)
         {
             const auto problem = test::wallProblem();

@@ -70,7 +70,7 @@ namespace ompl_mfa::planner
             return std::hypot(test::coordinate(state, 0), test::coordinate(state, 1));
         }
 
-        /* A cost map: states nearer to the origin than \e inner, or farther from it than \e outer, are lethal. */
+        /* A cost map: states nearer to the origin than \e inner or farther from it than \e outer have infinite cost. */
         class LethalDisc : public ob::StateCostIntegralObjective
         {
         public:
@@ -92,7 +92,7 @@ namespace ompl_mfa::planner
             double outer_;
         };
 
-        /* Path length, but for motions across the line from (0, -2) to (0, 2), which are forbidden. */
+        /* Path length, with infinite cost for motions across the line from (0, -2) to (0, 2). */
         class ForbiddenLine : public ob::OptimizationObjective
         {
         public:
@@ -215,7 +215,7 @@ namespace ompl_mfa::planner
 
         TEST_P(InfiniteCosts, APathOfInfiniteCostIsKeptWhereNoneIsFinite)
         {
-            // every path crosses the lethal strip
+            // every path crosses the strip of infinite cost
             class LethalStrip : public ob::StateCostIntegralObjective
             {
             public:
@@ -236,7 +236,7 @@ namespace ompl_mfa::planner
             ob::PlannerSolution solution(nullptr);
             ASSERT_TRUE(problem_->pdef->getSolution(solution));
             EXPECT_FALSE(solution.optimized_);
-            // the search for a first path goes on: trees and roadmap have nearly all of the time
+            // the search for a first path goes on: trees and roadmap get nearly all of the time
             const auto shares = planner_->shares();
             EXPECT_GT(shares.at("trees") + shares.at("roadmap"), 0.5);
         }
@@ -299,7 +299,7 @@ namespace ompl_mfa::planner
                     EXPECT_NE(std::string(error.what()).find("'undefined'"), std::string::npos) << error.what();
                     EXPECT_NE(std::string(error.what()).find("not a number"), std::string::npos) << error.what();
                 }
-                // the planner is none the worse for it
+                // the planner remains usable
                 planner->clear();
                 problem->pdef->clearSolutionPaths();
                 problem->pdef->setOptimizationObjective(nullptr);

@@ -209,8 +209,8 @@ namespace ompl_mfa::planner
             EXPECT_THROW(planner_.setAlpha(2.0), ompl::Exception);
         }
 
-        /* One of the trial vectors needs four fireflies: what a swarm of two is good for must not depend on the order
-           in which variant and size are set. */
+        /* One of the trial vectors needs four fireflies: the sizes accepted must not depend on the order in which
+           variant and size are set. */
         TEST_F(Parameters, NoSequenceOfAcceptedValuesIsRefusedLater)
         {
             const auto planner = problem_->planner(test::PlannerVariant::Paper);
@@ -229,7 +229,8 @@ namespace ompl_mfa::planner
             }
         }
 
-        /* Tries a setter and returns whether the value was accepted; then params() has to accept what it reads. */
+        /* Calls a setter and returns whether the value was accepted; params() then has to accept the value read
+           back. */
         template <typename Setter>
         bool accepts(MFA &planner, const std::string &name, const Setter &setter)
         {
@@ -297,7 +298,7 @@ namespace ompl_mfa::planner
                     EXPECT_TRUE(planner_.params().setParam(name, on)) << on;
                     EXPECT_EQ(value(name), "1") << on;
                 }
-                // those OMPL would take for true
+                // values that OMPL would read as true
                 const test::ConsoleRecord console;
                 for (const char *neither : {"", "2", "no", "-1", "01", "truee"})
                 {
@@ -368,7 +369,7 @@ namespace ompl_mfa::planner
             EXPECT_EQ(planner->getSlicePaths().size(), 4U);
         }
 
-        /* A search keeps the parameters that it began with. */
+        /* A search keeps the parameters with which it began. */
         TEST_F(Parameters, AChangeBetweenTwoSolvesWaitsForTheNextQuery)
         {
             const auto planner = problem_->planner(test::PlannerVariant::Default);

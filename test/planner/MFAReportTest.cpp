@@ -132,7 +132,7 @@ namespace ompl_mfa::planner
             ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
             planner_->solve(test::afterCalls(2000));
             planner_->getPlannerData(data_);
-            // all that can be reached from the start
+            // all states reachable from the start
             std::set<unsigned int> seen{data_.getStartIndex(0)};
             std::vector<unsigned int> left{data_.getStartIndex(0)};
             while (!left.empty())
@@ -162,7 +162,7 @@ namespace ompl_mfa::planner
             {
                 states.emplace_back(problem_->si->getStateSpace(), data_.getVertex(i).getState());
             }
-            // neither another reader, nor the search, nor the end of the planner touches them
+            // neither another reader, nor the search, nor the planner's destruction changes them
             ob::PlannerData other(problem_->si);
             planner_->getPlannerData(other);
             planner_->solve(test::afterCalls(3000));
@@ -201,7 +201,7 @@ namespace ompl_mfa::planner
             EXPECT_TRUE(planner_->getSwarmPaths().empty());
             EXPECT_TRUE(planner_->getSlicePaths().empty());
             planner_->solve(test::afterCalls(200000));
-            // a swarm of a new window has yet to be placed
+            // the swarm of a new window may not have been placed yet
             for (unsigned int i = 0; i < 50 && planner_->getSwarmPaths().empty(); ++i)
             {
                 planner_->solve(test::afterCalls(1000));
@@ -235,7 +235,7 @@ namespace ompl_mfa::planner
             }
         }
 
-        /* Also while one window has served and the next was not opened yet. */
+        /* Also when one window is finished and the next one not opened yet. */
         TEST_P(Report, SlicesAreShownFromTheFirstSwarmOn)
         {
             bool shown = false;

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* MFA asks the objective, and nothing else, what a path costs and which is better. */
+/* MFA takes costs and their comparison from the objective alone. */
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ namespace ompl_mfa::planner
 {
     namespace
     {
-        /* How far a state is above the line y = 2; what costs there is. */
+        /* The cost of a state: 1 plus its distance from the line y = 2. */
         double height(const ob::State *state)
         {
             return 1.0 + std::abs(test::coordinate(state, 1) - 2.0);
@@ -108,7 +108,7 @@ namespace ompl_mfa::planner
             }
         };
 
-        /* Costs that depend on the direction, and an end that costs too. */
+        /* Costs that depend on the direction, and a terminal cost. */
         class Uphill : public ob::OptimizationObjective
         {
         public:
@@ -136,14 +136,14 @@ namespace ompl_mfa::planner
             }
         };
 
-        /* More is better, and paths multiply: nothing of path length is left. */
+        /* Costs are maximised and multiplied: nothing of path length is left. */
         class Reliability : public ob::OptimizationObjective
         {
         public:
             explicit Reliability(const ob::SpaceInformationPtr &si)
               : OptimizationObjective(si)
             {
-                // OMPL's default of 0 would be met by any path
+                // any path would satisfy OMPL's default threshold of 0
                 setCostThreshold(ob::Cost(2.0));
             }
 
@@ -297,7 +297,7 @@ namespace ompl_mfa::planner
             }
             ASSERT_TRUE(shortest.check());
             const double known = shortest.cost(objective_).value();
-            // by a swarm of 20 on 5 slices, and without guide or tightening: close is enough
+            // by a swarm of 20 on 5 slices, without guide or tightening: close is enough
             const double close =
                 objective_->isCostBetterThan(ob::Cost(1.0), ob::Cost(2.0)) ? 1.15 * known : known / 1.15;
             EXPECT_FALSE(objective_->isCostBetterThan(ob::Cost(close), ob::Cost(planner_->bestCost())))
@@ -308,7 +308,7 @@ namespace ompl_mfa::planner
         {
             ASSERT_EQ(planner_->solve(test::untilExact(problem_->pdef)), ob::PlannerStatus::EXACT_SOLUTION);
             const double first = planner_->bestCost();
-            // what was reached once is asked for again, a little less
+            // the threshold is slightly worse than the cost reached before
             objective_->setCostThreshold(
                 ob::Cost(objective_->isCostBetterThan(ob::Cost(1.0), ob::Cost(2.0)) ? 1.01 * first : first / 1.01));
             planner_->clear();
@@ -318,7 +318,7 @@ namespace ompl_mfa::planner
             ASSERT_EQ(planner_->solve(ptc), ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_TRUE(objective_->isSatisfied(ob::Cost(planner_->bestCost())));
             EXPECT_TRUE(problem_->pdef->hasOptimizedSolution());
-            EXPECT_LT(calls, 900000U) << "it went on although the threshold was met";
+            EXPECT_LT(calls, 900000U) << "it continued although the threshold was met";
         }
 
         TEST_P(EveryObjective, IsNotCalledOptimizedBelowTheThreshold)
@@ -329,14 +329,14 @@ namespace ompl_mfa::planner
             EXPECT_FALSE(problem_->pdef->hasOptimizedSolution());
         }
 
-        /* A user's own objective whose motions may earn something, so that no bound holds that OMPL would give. */
+        /* A user's objective with motions of negative cost, for which no bound of OMPL holds. */
         class Earning : public ob::OptimizationObjective
         {
         public:
             explicit Earning(const ob::SpaceInformationPtr &si)
               : OptimizationObjective(si)
             {
-                // OMPL's default of 0 would be met by any path
+                // any path would satisfy OMPL's default threshold of 0
                 setCostThreshold(ob::Cost(-1e9));
             }
 
@@ -345,7 +345,7 @@ namespace ompl_mfa::planner
                 return ob::Cost(0.0);
             }
 
-            /* The farther up, the more is earned on the way. */
+            /* The higher, the more negative the cost. */
             ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
             {
                 const double up = 0.5 * (test::coordinate(from, 1) + test::coordinate(to, 1));
@@ -367,12 +367,12 @@ namespace ompl_mfa::planner
             problem->pdef->setOptimizationObjective(std::make_shared<Earning>(problem->si));
             const auto planner = problem->planner(GetParam());
             ASSERT_EQ(planner->solve(test::afterCalls(300000)), ob::PlannerStatus::EXACT_SOLUTION);
-            // the straight motion earns 8; the identity cost, which OMPL gives as heuristic, is 0
+            // the straight motion costs -8; the identity cost, which is OMPL's heuristic, is 0
             EXPECT_LT(planner->bestCost(), -20.0);
         }
 
-        /* Costs of both signs whose sum over a path is known: a climb costs what the descent gives back, and a little
-           for the length. The ground is lowest between start and goal, and the goal is lower than the start. */
+        /* Costs of both signs whose sum over a path is known: a descent gives back the cost of the climb, and length
+           costs a little. The ground is lowest between start and goal, and the goal is lower than the start. */
         class Descent : public ob::OptimizationObjective
         {
         public:
@@ -430,8 +430,8 @@ namespace ompl_mfa::planner
             }
         };
 
-        /* The roadmap prunes by lower bounds. One slice, which is all that the fireflies have here, allows no path
-           within five hundredths of the shortest. */
+        /* The roadmap prunes by lower bounds. The fireflies have one slice, on which no path is within 5% of the
+           shortest. */
         template <typename Objective>
         double costByTheRoadmapAlone(const std::unique_ptr<test::PlanningProblem> &problem)
         {
@@ -457,8 +457,8 @@ namespace ompl_mfa::planner
             EXPECT_GT(costByTheRoadmapAlone<Gain>(problem), -close);
         }
 
-        /* The way through the middle costs dearly. The heuristic, inherited, is the cost of the motion itself, and no
-           bound: a way around is better. */
+        /* The path through the middle is expensive. The inherited heuristic is the cost of the motion itself, and no
+           lower bound: a detour is cheaper. */
         class DearMiddle : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -489,7 +489,7 @@ namespace ompl_mfa::planner
             EXPECT_LT(planner->bestCost(), 1.1 * around);
         }
 
-        /* Path length, and a price for where it ends: on this side of the wall or beyond. */
+        /* Path length plus a terminal cost that depends on the side of the wall. */
         class PricedEnds : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -498,7 +498,7 @@ namespace ompl_mfa::planner
               , here_(here)
               , beyond_(beyond)
             {
-                // OMPL's default of 0 would be met by any path with a reward
+                // any path with a negative terminal cost would satisfy OMPL's default threshold of 0
                 setCostThreshold(ob::Cost(-1e9));
             }
 
@@ -512,7 +512,7 @@ namespace ompl_mfa::planner
             double beyond_;
         };
 
-        /* The best of two goals is the one beyond the wall, 13.2 away; the other one can be seen from the start. */
+        /* The better of two goals is the one beyond the wall, 13.2 away; the other one is visible from the start. */
         TEST(Goals, TheBestIsTheOneWithTheBestSumOfPathAndTerminalCost)
         {
             for (const auto &[here, beyond] : {std::pair{100.0, 0.0}, {0.0, -100.0}})

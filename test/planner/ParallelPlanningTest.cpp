@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* One planner with several threads: the same search, sooner. */
+/* One planner with several threads: the same search, faster. */
 
 #include <atomic>
 #include <chrono>
@@ -56,7 +56,7 @@ namespace ompl_mfa::planner
 {
     namespace
     {
-        /* The wall problem with states that take long; whole motions or single states are shared out. */
+        /* The wall problem with slow state checks; threads share whole motions or single states. */
         class ParallelPlanning : public ::testing::TestWithParam<std::tuple<test::PlannerVariant, bool>>
         {
         protected:
@@ -78,7 +78,7 @@ namespace ompl_mfa::planner
                 return result;
             }
 
-            /* All costs that a run publishes, and how far it came. */
+            /* All costs that a run publishes, and its counts at the end. */
             std::vector<double> run(unsigned int threads, std::uint64_t calls) const
             {
                 const auto mfa = planner(threads);

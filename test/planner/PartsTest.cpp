@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* Which parts of the search a user switches on and off, and what is told of their work. */
+/* Which parts of the search a user switches on and off, and what is reported of their work. */
 
 #include <map>
 #include <memory>

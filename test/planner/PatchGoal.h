@@ -49,7 +49,7 @@
 
 namespace ompl_mfa::test
 {
-    /** \brief A square of R^2 around a center, sampled at the most so many times. */
+    /** \brief A square of R^2 around a center that can be sampled a limited number of times. */
     class PatchGoal : public ompl::base::GoalSampleableRegion
     {
     public:

@@ -34,8 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* The time is shared in one way while a first path is sought, and in another once there is one, wherever it came
-   from. */
+/* The time is shared in one proportion before the first path and in another afterwards, wherever the path came from. */
 
 #include <memory>
 
@@ -52,7 +51,7 @@ namespace ompl_mfa::planner
 {
     namespace
     {
-        /* What a state costs does not let the straight motion be proven optimal. */
+        /* State costs, so that the straight motion cannot be proven optimal. */
         class Slope : public ob::StateCostIntegralObjective
         {
         public:
@@ -74,7 +73,7 @@ namespace ompl_mfa::planner
             const auto planner = problem->planner(test::PlannerVariant::Default);
             ASSERT_EQ(planner->solve(test::afterCalls(60000)), ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_GT(planner->shares().at("tightening"), 0.1);
-            // while there is no path the trees have three tenths of the time, afterwards less
+            // without a path the trees get three tenths of the time, afterwards less
             EXPECT_LT(planner->shares().at("trees"), 0.15);
         }
 

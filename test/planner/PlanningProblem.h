@@ -64,7 +64,7 @@ namespace ompl_mfa::test
         return state->as<ompl::base::RealVectorStateSpace::StateType>()->values[i];
     }
 
-    /** \brief The part of the planner that a test is about: as it comes, or the paper's algorithm alone. */
+    /** \brief The planner under test: with its defaults, or the paper's algorithm alone. */
     enum class PlannerVariant
     {
         Default,
@@ -99,7 +99,7 @@ namespace ompl_mfa::test
         set(*planner, "seed", std::to_string(seed));
         if (variant == PlannerVariant::Paper)
         {
-            // exactly the paper; what a planner does not have it need not switch off
+            // exactly the paper's algorithm; a planner may lack some of these parameters
             if (planner->params().hasParam("guide"))
             {
                 set(*planner, "guide", "none");
@@ -115,7 +115,7 @@ namespace ompl_mfa::test
         return planner;
     }
 
-    /** \brief One start and one goal among obstacles, counting what is asked of the validity checker. */
+    /** \brief One start and one goal among obstacles, counting calls of the validity checker. */
     struct PlanningProblem
     {
         CountingProblem counted;
@@ -162,7 +162,7 @@ namespace ompl_mfa::test
 
     /** \brief The square [0, 10]^2 with a wall 4.5 < x < 5.5 that leaves a gap above y = \e top.
 
-        From (1, 1) to (9, 1) the shortest way goes over the wall's corners. */
+        From (1, 1) to (9, 1) the shortest path goes over the corners of the wall. */
     inline std::unique_ptr<PlanningProblem> wallProblem(double top = 6.0)
     {
         return std::make_unique<PlanningProblem>(
@@ -189,14 +189,14 @@ namespace ompl_mfa::test
         return wallProblem(-1.0);
     }
 
-    /** \brief True from the \e n-th time on that it is asked. */
+    /** \brief True from its \e n-th evaluation on. */
     inline ompl::base::PlannerTerminationCondition afterCalls(std::uint64_t n)
     {
         auto calls = std::make_shared<std::uint64_t>(0);
         return ompl::base::PlannerTerminationCondition([calls, n] { return ++*calls >= n; });
     }
 
-    /** \brief True once \e pdef has an exact solution, or when something is badly wrong, after a minute. */
+    /** \brief True once \e pdef has an exact solution, or after a minute, when something is badly wrong. */
     inline ompl::base::PlannerTerminationCondition untilExact(const ompl::base::ProblemDefinitionPtr &pdef)
     {
         return ompl::base::plannerOrTerminationCondition(

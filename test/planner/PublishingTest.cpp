@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* What is handed to the problem definition and to the intermediate-solution callback, and how often. */
+/* What is reported to the problem definition and to the intermediate-solution callback, and how often. */
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ namespace ompl_mfa::planner
 
         TEST(PublishingSchedule, TheirNumberIsBoundedByTheLogarithmOfTheWork)
         {
-            // a cost that falls for ever, and one that falls to nothing
+            // a cost that falls for ever, and one that falls to zero
             for (const double factor : {0.999999, 0.99, 0.5})
             {
                 PublishingSchedule schedule;
@@ -108,7 +108,7 @@ namespace ompl_mfa::planner
 
         TEST(Publishing, ALongSolveLeavesABoundedNumberOfSolutions)
         {
-            // around a ball in six dimensions there is always something left to gain
+            // around a ball in six dimensions there is always something left to improve
             const test::PlanningProblem problem(
                 test::realVectorSpace(6, 0.0, 10.0),
                 [](const ob::State *state)
@@ -185,7 +185,7 @@ namespace ompl_mfa::planner
                 EXPECT_EQ(planner_->solve(test::afterCalls(1)), ob::PlannerStatus::EXACT_SOLUTION);
             }
             EXPECT_EQ(problem_->pdef->getSolutionCount(), solutions);
-            // but where it was removed it is needed
+            // but it is added again where it was removed
             problem_->pdef->clearSolutionPaths();
             EXPECT_EQ(planner_->solve(test::afterCalls(1)), ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_EQ(problem_->pdef->getSolutionCount(), 1U);

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* Starts, goals, conditions and the statuses that MFA returns for them. */
+/* Starts, goals, termination conditions and the statuses that MFA returns for them. */
 
 #include <algorithm>
 #include <array>
@@ -111,7 +111,7 @@ namespace ompl_mfa::planner
 
         TEST_P(Queries, OfSeveralStartsTheBestIsTaken)
         {
-            problem_->pdef->addStartState(problem_->state({5.0, 1.0}));  // invalid: passed over
+            problem_->pdef->addStartState(problem_->state({5.0, 1.0}));  // invalid: skipped
             problem_->pdef->addStartState(problem_->state({8.0, 1.0}));
             expectExact(solve(test::afterCalls(4000)));
             EXPECT_EQ(test::coordinate(path().getState(0), 0), 8.0);
@@ -122,7 +122,7 @@ namespace ompl_mfa::planner
         {
             const auto goals = std::make_shared<ob::GoalStates>(problem_->si);
             goals->addState(problem_->state({9.0, 1.0}));
-            goals->addState(problem_->state({5.0, 1.0}));  // invalid: passed over
+            goals->addState(problem_->state({5.0, 1.0}));  // invalid: skipped
             goals->addState(problem_->state({1.0, 3.0}));
             problem_->pdef->setGoal(goals);
             expectExact(solve(test::afterCalls(4000)));
@@ -169,7 +169,7 @@ namespace ompl_mfa::planner
 
         TEST_P(Queries, LazyGoalsMayArriveWhileItPlans)
         {
-            // the first goal is behind the wall; a far better one comes once that was reached
+            // the first goal is behind the wall; a far better one arrives once that was reached
             std::atomic<bool> reached{false};
             std::atomic<bool> done{false};
             int made = 0;
@@ -291,7 +291,7 @@ namespace ompl_mfa::planner
             EXPECT_TRUE(path().check());
             EXPECT_TRUE(problem_->si->equalStates(path().getState(0), pdef.getStartState(0)));
             EXPECT_EQ(pdef.getSolutionDifference(), pdef.getGoal()->as<ob::GoalRegion>()->distanceGoal(pathEnd()));
-            // straight ahead the wall ends the way 4.5 before the goal; slices allow no worse than that
+            // the wall ends the straight path 4.5 before the goal; slices allow nothing worse
             EXPECT_LT(pdef.getSolutionDifference(), 4.5 + 0.2);
         }
 
@@ -319,7 +319,7 @@ namespace ompl_mfa::planner
             EXPECT_LT(problem_->counted.motions, 10U);
         }
 
-        /* Goals and starts that change between two calls of solve(), in place or with the problem definition. */
+        /* Goals and starts that change between two calls of solve(), in place or with a new problem definition. */
         class ChangedQueries : public Queries
         {
         protected:
@@ -328,7 +328,7 @@ namespace ompl_mfa::planner
                 planner_ = problem_->planner(GetParam());
             }
 
-            /* Solves once more and expects a path to the goal as it is now. */
+            /* Solves again and expects a path to the present goal. */
             void expectExactAgain(double x, double y)
             {
                 problem_->pdef->clearSolutionPaths();
@@ -385,7 +385,7 @@ namespace ompl_mfa::planner
             goals->addState(problem_->state({1.0, 3.0}));
             planner_->solve(test::afterCalls(2000));
             EXPECT_EQ(planner_->bestCost(), 2.0);
-            EXPECT_GE(planner_->evaluations(), evaluations) << "the search went on";
+            EXPECT_GE(planner_->evaluations(), evaluations) << "the search continued";
         }
 
         TEST_P(ChangedQueries, AGoalStateMayBeSetAnew)
@@ -528,7 +528,7 @@ namespace ompl_mfa::planner
             EXPECT_LE(planner_->bestCost(), 0.999 * cost);
         }
 
-        /* What the validity checker answers changes between two solves, with and without clear(). */
+        /* The answers of the validity checker change between two solves, with and without clear(). */
         class ChangedWorlds : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
@@ -624,7 +624,7 @@ namespace ompl_mfa::planner
             }
         }
 
-        /* Knows a wall exactly, at any resolution. */
+        /* Detects a wall exactly, at any resolution. */
         class WallValidator : public ob::MotionValidator
         {
         public:
@@ -650,7 +650,7 @@ namespace ompl_mfa::planner
             }
         };
 
-        /* In a space without end neither sampling nor a resolution means anything. */
+        /* In an unbounded space neither sampling nor a resolution is defined. */
         TEST_P(Queries, BoundsWithoutAFiniteExtentAreRefusedByName)
         {
             for (const double bound : {1e200, std::numeric_limits<double>::max(), HUGE_VAL})
@@ -715,7 +715,7 @@ namespace ompl_mfa::planner
             problem_->si->getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(bounds);
             EXPECT_NE(planner_->solve(test::afterCalls(2000)), ob::PlannerStatus::EXACT_SOLUTION);
             EXPECT_FALSE(problem_->pdef->hasExactSolution());
-            // and now a part of it is not
+            // and now a section of it is not
             problem_->pdef->clearSolutionPaths();
             bounds.setHigh(1, 7.0);
             problem_->si->getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(bounds);

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* Two thousand random problems, each solved within a few milliseconds: whatever comes out must be true. */
+/* Two thousand random problems, each solved within a few milliseconds: every result must be correct. */
 
 #include <algorithm>
 #include <array>
@@ -75,7 +75,7 @@ namespace ompl_mfa::planner
         constexpr double SLOWDOWN = 1.0;
 #endif
 
-        /* Seconds of this thread on a processor: what other programs do on a loaded machine is not counted. */
+        /* Processor seconds of this thread: other programs on a loaded machine do not count. */
         double processorTime()
         {
             timespec time{};
@@ -126,14 +126,14 @@ namespace ompl_mfa::planner
             std::vector<double> radii_;
         };
 
-        /* What came out of the problems of one space. */
+        /* Results for the problems of one space. */
         struct Tally
         {
             unsigned int exact{0};
             unsigned int approximate{0};
             unsigned int timeouts{0};
-            unsigned int limited{0};   ///< solves that the condition ended
-            unsigned int compared{0};  ///< costs that were computed again
+            unsigned int limited{0};   ///< solves that ended by the condition
+            unsigned int compared{0};  ///< costs that were recomputed
             double longestOverrun{0.0};
         };
 
@@ -192,7 +192,7 @@ namespace ompl_mfa::planner
                 }
                 planner.setProblemDefinition(pdef_);
                 planner.setup();
-                // some are solved in two goes
+                // some are solved in two calls
                 for (unsigned int i = 0; i < 1 + number_ % 2; ++i)
                 {
                     const ob::PlannerStatus status = timedSolve(planner, tally);
@@ -234,8 +234,8 @@ namespace ompl_mfa::planner
                 }
             }
 
-            /* The overrun is the processor time since the condition was last seen false: wherever in between the
-               limit was, it was not overrun by more. */
+            /* The overrun is the processor time since the condition was last false, which is an upper bound: the limit
+               was somewhere in between. */
             ob::PlannerStatus timedSolve(MFA &planner, Tally &tally)
             {
                 const double limit = processorTime() + SLOWDOWN * rng_.uniformReal(0.0, 0.03);
@@ -347,7 +347,7 @@ namespace ompl_mfa::planner
             EXPECT_GT(tally.compared, solved / 4);
         }
 
-        /* What grows with the search (a roadmap of a million motions here) must not take long to grow either. */
+        /* Data that grow with the search (a roadmap of a million motions here) must not take long to grow. */
         TEST(LongSearch, LooksAtTheConditionAllTheTime)
         {
             const auto space = test::realVectorSpace(2);

@@ -83,7 +83,7 @@ namespace ompl_mfa::planner
             }
             {
                 const SearchLock::Search search(lock);
-                // the search neither ends before readers came nor is kept from going on by them
+                // the search does not end before readers came, and they do not block it
                 for (int i = 0; i < 1000 || reads < 1000; ++i)
                 {
                     ++a;
@@ -206,7 +206,7 @@ namespace ompl_mfa::planner
 
         TEST_P(SolveLock, AReaderWaitsForNoMoreThanACheckOrTwo)
         {
-            // each state takes 1 ms: a turn, hundreds of states, would keep a reader for far longer
+            // each state takes 1 ms: waiting for a whole turn, hundreds of states, would take far longer
             std::atomic<std::uint64_t> checks{0};
             test::PlanningProblem slow(test::realVectorSpace(2, 0.0, 10.0),
                                        [&](const ob::State *s)

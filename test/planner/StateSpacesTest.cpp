@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* MFA in every state space that it supports, and its refusal of the others. */
+/* MFA in every state space that it supports, and the rejection of others. */
 
 #include <cmath>
 #include <memory>
@@ -64,8 +64,8 @@ namespace ompl_mfa::planner
 {
     namespace
     {
-        /* Every value of a state that is a position is kept out of a ball around the middle of the space; without
-           positions, the first rotation out of an interval. */
+        /* Each position in a state must stay out of a ball around the middle of the space; without positions, the first
+           rotation out of an interval. */
         class Obstacle
         {
         public:
@@ -256,8 +256,7 @@ namespace ompl_mfa::planner
             }
         }
 
-        /* Start and goal differ in rotation alone, and the way between them is blocked: the positions have to make
-         * room. */
+        /* Start and goal differ in rotation alone, and the direct rotation is blocked: the positions have to change. */
         class PureRotation : public ::testing::TestWithParam<Case>
         {
         };
@@ -286,7 +285,7 @@ namespace ompl_mfa::planner
             {
                 chart.sampleRotations(rng, goal.get());
             }
-            // near the place only rotations close to those of start and goal are free
+            // near the position of start and goal only rotations close to theirs are free
             si->setStateValidityChecker(
                 [&](const ob::State *state)
                 {

@@ -34,8 +34,8 @@
 
 /* Author: the ompl_mfa authors */
 
-/* Termination conditions: any, evaluated often, and obeyed at once. Latency is counted in state checks, not in time,
-   so that a slow machine changes nothing. */
+/* Termination conditions of any kind, evaluated often and obeyed at once. Latency is counted in state checks, not in
+   time, so that it does not depend on the machine. */
 
 #include <algorithm>
 #include <atomic>
@@ -63,7 +63,7 @@ namespace ompl_mfa::planner
         class Termination : public ::testing::TestWithParam<test::PlannerVariant>
         {
         protected:
-            /* State checks that a motion across the whole space takes, beginning and end included. */
+            /* State checks of a motion across the whole space, both ends included. */
             std::uint64_t longestMotion() const
             {
                 const auto &space = *problem_->si->getStateSpace();
@@ -161,7 +161,7 @@ namespace ompl_mfa::planner
             EXPECT_LE(problem_->counted.states - statesThen, longestMotion());
         }
 
-        /* An integral that counts how often it is computed. */
+        /* An integral that counts its computations. */
         class CountedIntegral : public ob::StateCostIntegralObjective
         {
         public:
@@ -199,7 +199,7 @@ namespace ompl_mfa::planner
                 const ob::PlannerTerminationCondition ptc(
                     [&]
                     {
-                        // the one before may be followed by a motion check or a motion cost
+                        // before this evaluation there may be a motion check or a motion cost
                         if (++asked == calls)
                         {
                             statesThen = problem_->counted.states;
@@ -267,7 +267,7 @@ namespace ompl_mfa::planner
         {
             problem_ = test::closedProblem();
             const auto planner = problem_->planner(GetParam());
-            // a planner that does not obey ends as well, a minute too late
+            // a planner that ignores the condition ends as well, a minute later
             const ob::PlannerTerminationCondition late = ob::timedPlannerTerminationCondition(60.0);
             const ob::PlannerTerminationCondition ptc([&late] { return late(); });
             std::atomic<bool> asked{false};
@@ -288,7 +288,7 @@ namespace ompl_mfa::planner
             EXPECT_LE(states - std::min<std::uint64_t>(statesThen, states), 4 * longestMotion());
         }
 
-        /* A swarm of the largest kind: the moves of its fireflies take longer than a motion check. */
+        /* A swarm of the largest size: its moves take longer than a motion check. */
         TEST_P(Termination, TheConditionIsEvaluatedWhileALargeSwarmMoves)
         {
             constexpr std::uint64_t SIZE = 1500;
@@ -310,7 +310,7 @@ namespace ompl_mfa::planner
                 });
             planner->solve(ptc);
             EXPECT_GT(planner->iterations(), 0U);
-            // between the costs of two paths: each firefly moves toward every brighter one in five coordinates
+            // between the costs of two paths each firefly moves toward every brighter one, in five coordinates
             EXPECT_GE(most, SIZE * (SIZE - 1) / 2 * 5 / 8192);
             EXPECT_GE(planner->evaluations(), 2 * SIZE - 1);
         }
@@ -320,7 +320,7 @@ namespace ompl_mfa::planner
             const auto planner = problem_->planner(GetParam());
             ob::IterationTerminationCondition iterations(500);
             const ob::PlannerTerminationCondition limit = iterations;
-            // counted here because newer OMPL counts in a copy that the cast makes
+            // counted here because newer OMPL counts in the copy that the cast makes
             unsigned int asked = 0;
             planner->solve(ob::PlannerTerminationCondition(
                 [&]
@@ -329,7 +329,7 @@ namespace ompl_mfa::planner
                     return limit();
                 }));
             EXPECT_GE(asked, 500U);
-            EXPECT_LE(asked, 520U) << "asked again and again after it was true";
+            EXPECT_LE(asked, 520U) << "evaluated repeatedly after it was true";
         }
 
         TEST_P(Termination, CostConvergenceEndsTheSearch)

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* Several threads: two planners on one space information, and a planner that is watched while it plans. */
+/* Several threads: two planners on one space information, and a planner that is read while it plans. */
 
 #include <atomic>
 #include <functional>
@@ -152,7 +152,7 @@ namespace ompl_mfa::planner
                         }
                     }
                 });
-            // answered while the search runs, not only at its end
+            // answered during the search, not only at its end
             const auto enough = ob::PlannerTerminationCondition([&asked] { return asked >= 3; });
             planner->solve(ob::plannerOrTerminationCondition(enough, ob::timedPlannerTerminationCondition(60.0)));
             EXPECT_GE(asked, 3U);

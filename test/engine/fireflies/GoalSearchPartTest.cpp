@@ -67,7 +67,7 @@ namespace ompl_mfa::engine::fireflies
                 ASSERT_EQ(search_->begin(), ob::PlannerStatus::EXACT_SOLUTION);
             }
 
-            /* Turns until there is a goal state. */
+            /* Gives the part turns until there is a goal state. */
             bool find(int turns)
             {
                 for (int i = 0; i < turns && findings_.goals.empty(); ++i)
@@ -93,7 +93,7 @@ namespace ompl_mfa::engine::fireflies
                 EXPECT_TRUE(problem_->si->isValid(findings_.goals[i]));
             }
             EXPECT_TRUE(findings_.paths.empty());
-            EXPECT_TRUE(search_->goals().empty()) << "it is the engine that takes them";
+            EXPECT_TRUE(search_->goals().empty()) << "only the engine adds goals";
         }
 
         TEST_F(GoalSearchPartTest, CountsItsComparisonsAsWork)

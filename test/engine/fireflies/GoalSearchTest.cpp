@@ -114,7 +114,7 @@ namespace ompl_mfa::engine::fireflies
             EXPECT_TRUE(isValid(found.front()));
         }
 
-        /* Far from the target no distance is known: it is infinite there, or not a number. */
+        /* Far from the target the distance is unknown: infinite or not a number. */
         class LostGoal : public test::DistanceGoal
         {
         public:
@@ -160,7 +160,7 @@ namespace ompl_mfa::engine::fireflies
             }
         }
 
-        /* Knows which states it was asked about. */
+        /* Records the states whose distance was computed. */
         class NeverSatisfied : public ob::GoalRegion
         {
         public:

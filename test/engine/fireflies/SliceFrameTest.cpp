@@ -380,7 +380,7 @@ namespace ompl_mfa::engine::fireflies
             for (int repeat = 0; repeat < 50; ++repeat)
             {
                 f.toState(0, randomUnit(rng, f.dimension()), state.get(), scratch);
-                // the direction of all positions together is (1, 0, -1, 0): what one robot gains, the other does too
+                // slices are orthogonal to the direction (1, 0, -1, 0): both robots have the same offset along x
                 EXPECT_NEAR(state[0] - (-1.0), state[3] - 1.0, 1e-9);
             }
         }

@@ -34,8 +34,8 @@
 
 /* Author: the ompl_mfa authors */
 
-/* One frame, read by several threads at once: const member functions are safe to call together, each thread with a
-   scratch of its own. */
+/* One frame, read by several threads at once: const member functions may be called together, each thread with its own
+   scratch. */
 
 #include <atomic>
 #include <functional>
@@ -103,7 +103,7 @@ namespace ompl_mfa::engine::fireflies
                 return same;
             }
 
-            /* How often an answer that a thread had, beside the others, was not the one that it has alone. */
+            /* How many answers of concurrent threads differ from those of a single thread. */
             static unsigned int differences(const std::function<bool(unsigned int)> &asAlone)
             {
                 std::atomic<unsigned int> wrong{0};

@@ -59,8 +59,8 @@ namespace ompl_mfa::engine::fireflies
             return state->as<ob::RealVectorStateSpace::StateType>()->values[i];
         }
 
-        /* The higher the state, the more a motion that leads there earns; OMPL's default heuristic knows nothing of it.
-         */
+        /* The higher the target state, the lower the cost of a motion, down to negative ones; OMPL's default heuristic
+           does not allow for that. */
         class Earning : public ob::OptimizationObjective
         {
         public:
@@ -98,7 +98,7 @@ namespace ompl_mfa::engine::fireflies
                 {
                     known.append(state(x, y).get());
                 }
-                // a bound comes of a path that was found
+                // bounds come from paths that were found
                 EXPECT_GT(evaluator_->cost(known).value(), bound - 1e-6);
                 SliceGraph graph(frame_, *evaluator_);
                 for (std::size_t k = 0; k < frame_.slices(); ++k)
@@ -112,7 +112,7 @@ namespace ompl_mfa::engine::fireflies
             }
 
             ob::StateSpacePtr space_ = test::realVectorSpace(2);
-            // a wall across the straight way
+            // a wall across the straight path
             test::CountingProblem problem_{
                 space_, [](const ob::State *s) { return std::abs(coordinate(s, 0)) > 1.0 || coordinate(s, 1) > 1.0; }};
             SliceFrame frame_ = SliceFrame::straight(std::make_shared<const path::StateChart>(space_),

@@ -119,14 +119,13 @@ namespace ompl_mfa::engine::fireflies
             EXPECT_EQ(valid_.size(), 1U);
         }
 
-        /* Brightness that was computed under one bound is compared with that computed under another as if the bound had
-           always been the one of now. */
+        /* Brightness computed under an earlier bound is compared as if the present bound had always applied. */
         TEST_F(SliceObjectiveTest, ABoundThatMovesIsTheSameYardstickForAll)
         {
             const Brightness before = objective_.evaluate(offset(3.0), nullptr);
             ASSERT_TRUE(before.isFeasible());
             objective_.setBound(9.0);
-            // nearer to the bound than the one that was valid without it
+            // closer to the bound than the one that was valid without it
             const Brightness nearer = objective_.evaluate(offset(2.2), nullptr);
             EXPECT_DOUBLE_EQ(nearer.cost, 2.0 * std::hypot(4.0, 2.2));
             EXPECT_TRUE(objective_.isBrighter(nearer, before));
@@ -140,7 +139,7 @@ namespace ompl_mfa::engine::fireflies
             const Brightness valid = objective_.evaluate(offset(2.0), &colliding);
             EXPECT_TRUE(valid.isFeasible());
             EXPECT_TRUE(objective_.isBrighter(valid, colliding));
-            // without a bound, what was checked counts again, and what was not is dimmer
+            // without a bound, violations that were checked count again, and unchecked ones are dimmer
             objective_.setBound(std::numeric_limits<double>::infinity());
             EXPECT_TRUE(objective_.isBrighter(before, colliding));
             EXPECT_TRUE(objective_.isBrighter(colliding, nearer));
@@ -156,7 +155,7 @@ namespace ompl_mfa::engine::fireflies
             EXPECT_GT(problem_.states, 0U);
         }
 
-        /* Length that counts how often it is computed, and is infinite where a motion comes near x = 0 below y = 2. */
+        /* Length that counts how often it is computed, and is infinite for motions near x = 0 below y = 2. */
         class Lethal : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -176,7 +175,7 @@ namespace ompl_mfa::engine::fireflies
                 return PathLengthOptimizationObjective::motionCost(from, to);
             }
 
-            /* The inherited one computes the cost of a motion too. */
+            /* The inherited heuristic computes the cost of a motion too. */
             ob::Cost motionCostHeuristic(const ob::State * /*from*/, const ob::State * /*to*/) const override
             {
                 return identityCost();
@@ -222,12 +221,12 @@ namespace ompl_mfa::engine::fireflies
                 EXPECT_TRUE(objective.isBrighter(valid, infinite));
                 EXPECT_FALSE(objective.isBrighter(infinite, valid));
                 EXPECT_FALSE(objective.isBrighter(infinite, infinite));
-                // one that is valid is welcome as long as no other is known, and of no use afterwards
+                // a valid one is of use as long as no other is known, and not afterwards
                 EXPECT_EQ(infinite.isFeasible(), bound == inf);
             }
         }
 
-        /* The coordinates of many slices take as long to compute from their modes as many motion checks. */
+        /* Computing the coordinates of many slices from their modes takes as long as many motion checks. */
         TEST_F(SliceObjectiveTest, AsksTheStopConditionWhileItComputesManySlices)
         {
             const SliceFrame many =
@@ -260,7 +259,7 @@ namespace ompl_mfa::engine::fireflies
                                           std::make_shared<ob::MaximizeMinClearanceObjective>(problem_.si));
             SliceObjective wide(frame_, nullptr, clearance, {});
             EXPECT_TRUE(wide.isBrighter({0.0, 2.0}, {0.0, 1.0}));
-            // where more is better, the lowest number is what all but the worst are better than
+            // when maximising, all costs but the worst are better than the lowest number
             wide.setBound(std::numeric_limits<double>::lowest());
             const double worst = -std::numeric_limits<double>::infinity();
             EXPECT_TRUE(wide.isBrighter({3.0, 1.0}, {0.0, worst}));

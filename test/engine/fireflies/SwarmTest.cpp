@@ -102,7 +102,7 @@ namespace ompl_mfa::engine::fireflies
                 EXPECT_GT(swarm.evaluations(), before);
                 before = swarm.evaluations();
             }
-            // the evaluation of the initial swarm is a step of its own, then come 5 generations
+            // the evaluation of the initial swarm is a separate step before 5 generations
             EXPECT_EQ(swarm.epoch(), 25U / 6U);
         }
 
@@ -122,7 +122,7 @@ namespace ompl_mfa::engine::fireflies
 
         TEST_F(SwarmTest, AnInjectedPathIsEvaluated)
         {
-            // over the wall at its corners, as short as slices at x = 3, 5, 7 allow
+            // over the corners of the wall, as short as slices at x = 3, 5, 7 allow
             path::Waypoints path(problem_->si->getStateSpace());
             for (const auto &[x, y] :
                  std::vector<std::pair<double, double>>{{1, 1}, {3, 4.3}, {5, 7.6}, {7, 4.3}, {9, 1}})
@@ -170,7 +170,7 @@ namespace ompl_mfa::engine::fireflies
             EXPECT_LT(meanLength(Swarm::Coordinates::Modes), 0.9 * meanLength(Swarm::Coordinates::Offsets));
         }
 
-        /* A bound that no valid path keeps to: what was valid before must not lead the swarm any more. */
+        /* A bound that no valid path meets: fireflies that were valid before must no longer lead the swarm. */
         TEST_F(SwarmTest, ABoundThatMovesMeasuresTheWholeSwarm)
         {
             for (std::uint64_t seed = 1; seed <= 5; ++seed)
@@ -193,8 +193,8 @@ namespace ompl_mfa::engine::fireflies
             }
         }
 
-        /* In [0, 1], the first offsets of the fireflies of an epoch, or the fresh ones of recombination, on the one
-           slice of a frame: the numbers that were drawn. */
+        /* The numbers in [0, 1] drawn for the first offsets of an epoch's fireflies, or for the fresh ones of
+           recombination, in a frame with one slice. */
         class SwarmStreams : public ::testing::Test
         {
         protected:
@@ -205,7 +205,7 @@ namespace ompl_mfa::engine::fireflies
 
                 ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
                 {
-                    // the straight motion from start to goal is costed for its bound
+                    // the cost of the straight motion from start to goal is computed for its bound
                     if (test::coordinate(from, 0) == 1.0 && test::coordinate(to, 0) < 9.0)
                     {
                         ends.insert(std::llround(1e9 * test::coordinate(to, 1) / 10.0));
@@ -255,7 +255,7 @@ namespace ompl_mfa::engine::fireflies
                 const std::set<long long> first = evaluated(*swarm);
                 EXPECT_EQ(first.size(), 30U);
                 add(first);
-                // the candidates are the brightest 20, which were evaluated, and 16 fresh ones
+                // the candidates are the brightest 20, already evaluated, and 16 fresh ones
                 objective_->ends.clear();
                 path::Waypoints found(problem_->si->getStateSpace());
                 swarm->recombine(found, std::numeric_limits<double>::infinity(), 1, found);
@@ -265,7 +265,7 @@ namespace ompl_mfa::engine::fireflies
                 EXPECT_EQ(fresh.size(), 16U);
                 add(fresh);
                 evaluated(*swarm);
-                // of the next epoch's fireflies six are of the swarm before
+                // six of the next epoch's fireflies come from the previous swarm
                 std::set<long long> second = evaluated(*swarm);
                 ASSERT_EQ(swarm->epoch(), 1U);
                 for (int i = 0; i < 6; ++i)

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* A swarm that rests, read by several threads at once. */
+/* An idle swarm, read by several threads at once. */
 
 #include <atomic>
 #include <memory>

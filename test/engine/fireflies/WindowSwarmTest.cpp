@@ -134,7 +134,7 @@ namespace ompl_mfa::engine::fireflies
                 EXPECT_TRUE(space->equalStates(whole[whole.size() - 2], detour_[4]));
                 EXPECT_TRUE(space->equalStates(whole.back(), detour_.back()));
                 EXPECT_TRUE(evaluator_.checkPath(whole));
-                // longer than the way that is there by less than what the slack allows
+                // longer than the present path by less than the slack
                 EXPECT_LT(window->found().length(), window->cost().value() + 0.15 * detour_.length());
             }
             EXPECT_GE(found, 5U);
@@ -156,7 +156,7 @@ namespace ompl_mfa::engine::fireflies
         {
             const auto window = open(detour_, 0, 5, 3);
             EXPECT_FALSE(window->exhausted());
-            // the evaluation of the initial swarm is a step of its own
+            // the evaluation of the initial swarm is a separate step
             for (unsigned int k = 0; k < settings_.generations; ++k)
             {
                 window->swarm().step(never);
@@ -218,7 +218,7 @@ namespace ompl_mfa::engine::fireflies
             EXPECT_GE(replaced, 1U);
         }
 
-        /* Length, but infinite where a motion enters the band of the wall below y = 3.4. */
+        /* Length, but infinite for motions that enter the band of the wall below y = 3.4. */
         class LethalBand : public ob::PathLengthOptimizationObjective
         {
         public:

@@ -76,8 +76,8 @@ namespace ompl_mfa::engine::graph
             bool bothWays;
         };
 
-        /* A graph whose costs are whole numbers, so that they are added up without rounding. Vertex i is the state
-           (i, i^2): the middle of a motion tells which one it is. */
+        /* A graph with integer costs, which add up without rounding. Vertex i is the state (i, i^2), so that the middle
+           of a motion identifies it. */
         struct RandomGraph
         {
             Algebra algebra{Algebra::Sum};
@@ -207,7 +207,7 @@ namespace ompl_mfa::engine::graph
             const RandomGraph &graph_;
         };
 
-        /* The graph as a LazyGraph, and what is known of it from its tables alone. */
+        /* The graph as a LazyGraph, and the expected results from its tables alone. */
         class Case
         {
         public:
@@ -254,7 +254,7 @@ namespace ompl_mfa::engine::graph
                 return evaluator->objective()->combineCosts(ob::Cost(a), ob::Cost(b)).value();
             }
 
-            /* Bellman-Ford over what is valid. False where no goal can be reached. */
+            /* Bellman-Ford over the valid part. False if no goal can be reached. */
             bool solve(double &best) const
             {
                 std::vector<double> cost(graph_.size);
@@ -305,7 +305,7 @@ namespace ompl_mfa::engine::graph
                 return found;
             }
 
-            /* That the path found begins at a start, ends at a goal and is valid. */
+            /* The path found begins at a start, ends at a goal and is valid. */
             void expectPath() const
             {
                 std::vector<std::size_t> vertices;
@@ -324,7 +324,7 @@ namespace ompl_mfa::engine::graph
                 }
             }
 
-            /* What a search that was not cut short must have answered. */
+            /* The expected result of a search that was not interrupted. */
             void expectAnswer(bool found, double bound) const
             {
                 double best = 0.0;
@@ -374,7 +374,7 @@ namespace ompl_mfa::engine::graph
 
         int draw(int low, int high)
         {
-            // whole ranges from the first case on: RapidCheck begins with small ones
+            // whole ranges from the first case on: RapidCheck starts with small ones
             return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
         }
 
@@ -429,8 +429,8 @@ namespace ompl_mfa::engine::graph
             }
         }
 
-        /* Costs with which no cycle is better than none: of any sign where there are no cycles, or where a potential
-           makes up for them. */
+        /* Costs under which no cycle improves a path: of any sign in graphs without cycles, otherwise not negative but
+           for a potential. */
         void drawCosts(RandomGraph &graph, bool acyclic)
         {
             const double sign = graph.algebra == Algebra::Gain ? -1.0 : 1.0;
@@ -488,7 +488,7 @@ namespace ompl_mfa::engine::graph
             c.expectAnswer(c.lazy->search(bound, PLENTY, *c.path), bound);
         }
 
-        /* From any path to none: each search asks for a better one than the last found. */
+        /* From any path to none: each search is for a path better than the last one. */
         RC_GTEST_PROP(LazyGraphProperties, FindsNothingBetterOnceItIsExhausted, ())
         {
             const RandomGraph graph = drawGraph();
@@ -504,7 +504,7 @@ namespace ompl_mfa::engine::graph
                     return;
                 }
                 const double cost = c.evaluator->cost(*c.path).value();
-                // an infinite bound is none: what beats an infinite cost is what beats the worst of the finite ones
+                // after a path of infinite cost the bound is the worst finite cost: an infinite one would mean none
                 bound = std::isfinite(cost) ? cost : std::copysign(std::numeric_limits<double>::max(), cost);
             }
             RC_FAIL("a third path of the same graph is better than the best");
@@ -523,7 +523,7 @@ namespace ompl_mfa::engine::graph
             }
         }
 
-        /* What is removed is invalid to the tables from then on. */
+        /* What is removed is invalid in the tables from then on. */
         RC_GTEST_PROP(LazyGraphProperties, AnswersForWhatIsRetained, ())
         {
             RandomGraph graph = drawGraph();
@@ -589,7 +589,7 @@ namespace ompl_mfa::engine::graph
             c.expectAnswer(c.lazy->search(bound, PLENTY, *c.path), bound);
         }
 
-        /* Where a cycle makes a path better each time there is no best one, but none that is found may be wrong. */
+        /* If a cycle keeps improving a path there is no best one, but every path found must be correct. */
         RC_GTEST_PROP(LazyGraphProperties, EndsWithAPathThatKeepsItsPromiseWhereCyclesMakeItBetter, ())
         {
             const RandomGraph graph = drawGraph(true);

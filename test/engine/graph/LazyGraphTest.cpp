@@ -64,7 +64,8 @@ namespace ompl_mfa::engine::graph
             return state->as<ob::RealVectorStateSpace::StateType>()->values[0];
         }
 
-        /* The cost of a motion is any function of its ends; so are those of the first and the last state. */
+        /* The cost of a motion is an arbitrary function of its ends; so are the costs of the first and the last
+           state. */
         class AnyCost : public ob::OptimizationObjective
         {
         public:
@@ -108,7 +109,7 @@ namespace ompl_mfa::engine::graph
         class LazyGraphTest : public ::testing::Test
         {
         protected:
-            /* The best path costs so much, whether any path is asked for or one better than \e bound. */
+            /* The best path has this cost, whether any path is requested or one better than \e bound. */
             void expectBest(double cost, double bound)
             {
                 for (const double asked : {ANY, bound})
@@ -142,8 +143,8 @@ namespace ompl_mfa::engine::graph
             path::Waypoints path_{problem_.si->getStateSpace()};
         };
 
-        /* Layers of four vertices, each joined to all of the next; the value of a vertex is ten times its layer and its
-           place within. Costs have both signs, so that the best way may begin or end badly. */
+        /* Layers of four vertices, each joined to all of the next; the value of a vertex is ten times its layer plus
+           its index there. Costs have both signs, so that the best path may begin or end with expensive motions. */
         TEST_F(LazyGraphTest, FindsTheBestPathThroughLayersWhereMotionsMayEarnSomething)
         {
             constexpr std::size_t LAYERS = 5;
@@ -177,7 +178,7 @@ namespace ompl_mfa::engine::graph
                     }
                 }
                 graph_->setGoal(layers.back().front());
-                // what is best, layer by layer from the goal
+                // the best costs-to-go, layer by layer from the goal
                 std::vector<double> toGo{0.0};
                 for (std::size_t k = LAYERS; k-- > 0;)
                 {
@@ -227,8 +228,8 @@ namespace ompl_mfa::engine::graph
             graph_->search(-1e6, PLENTY, path_);
         }
 
-        /* Stages between goal and start, each with a direct motion of no cost and a detour that costs much at first and
-           less than nothing in all: taken best first, the last stage gets better 2^8 times. */
+        /* Stages between goal and start, each with a direct motion of cost 0 and a detour that is expensive at first
+           and has a negative cost in all: in best-first order the last stage improves 2^8 times. */
         TEST_F(LazyGraphTest, CostsToGoAreThoseOfPathsHoweverOftenNegativeMotionsImproveThem)
         {
             constexpr int STAGES = 8;
@@ -264,7 +265,7 @@ namespace ompl_mfa::engine::graph
             EXPECT_TRUE(graph_->exhausted());
         }
 
-        /* The goal that is nearer costs 100 to end at. */
+        /* The nearer goal has a terminal cost of 100. */
         TEST_F(LazyGraphTest, GoesOnThroughAGoalToABetterOne)
         {
             make([](double from, double to) { return std::abs(to - from); }, {},
@@ -282,7 +283,7 @@ namespace ompl_mfa::engine::graph
             EXPECT_TRUE(graph_->exhausted());
         }
 
-        /* The start that is nearer costs 100 to begin at. */
+        /* The nearer start has an initial cost of 100. */
         TEST_F(LazyGraphTest, GoesThroughAStartThatIsDearToBeginAt)
         {
             make([](double from, double to) { return std::abs(to - from); },
@@ -316,8 +317,8 @@ namespace ompl_mfa::engine::graph
             EXPECT_EQ(costs, 1);
         }
 
-        /* Steps of 10: the states of the straight motion that are screened miss the wall at 60, those that are checked
-           do not; the motion from 45 to 95 steps over it. */
+        /* Steps of 10: the screened states of the straight motion miss the wall at 60, those of its full check do not;
+           the motion from 45 to 95 steps over it. */
         TEST_F(LazyGraphTest, ChecksMotionsOfThePathInFullAndTakesAnotherWhereOneFails)
         {
             wall_ = 60.0;

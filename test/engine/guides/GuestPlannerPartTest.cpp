@@ -69,8 +69,8 @@ namespace ompl_mfa::engine::guides
             return std::make_shared<Planner>(si);
         }
 
-        /* The square [0, 10]^2 with a room around (3, 5), open to the left, away from the goal: a path has to leave
-           it backwards, which slices across the line from start to goal cannot express. */
+        /* The square [0, 10]^2 with a room around (3, 5) that is open to the left, away from the goal: a path has to
+           leave it backwards, which slices across the line from start to goal cannot express. */
         std::unique_ptr<test::PlanningProblem> roomProblem()
         {
             return std::make_unique<test::PlanningProblem>(
@@ -89,7 +89,7 @@ namespace ompl_mfa::engine::guides
         /* The length of the shortest path of roomProblem(). */
         const double ROOM_OPTIMUM = std::hypot(1.5, 2.0) + 1.0 + 3.0 + std::hypot(4.0, 3.0);
 
-        /* A planner that does what a test says. */
+        /* A planner whose solve() is given by a test. */
         class ScriptedPlanner : public ob::Planner
         {
         public:
@@ -140,14 +140,14 @@ namespace ompl_mfa::engine::guides
 
         TEST_F(GuidePlanner, WithOneTheSwarmIsNotThePapers)
         {
-            // a hundred fireflies of offsets alone, twenty of smooth paths beside a guide, also in windows
+            // a hundred fireflies of offsets alone; twenty in smooth modes beside a guide, also in windows
             problem_ = test::wallProblem();
             const auto alone = problem_->planner(test::PlannerVariant::Paper);
             const auto guided = planner(*problem_, make<og::RRTConnect>);
             for (const auto &mfa : {alone, guided})
             {
                 test::set(*mfa, "population_size", "0");
-                // between two windows no swarm flies
+                // between two windows there is no swarm
                 for (unsigned int i = 0; i < 50 && (i < 2 || mfa->getSwarmPaths().empty()); ++i)
                 {
                     mfa->solve(test::afterCalls(60000));
@@ -160,7 +160,7 @@ namespace ompl_mfa::engine::guides
 
         TEST_F(GuidePlanner, WhatItSolvesIsSolved)
         {
-            // one that ends, two that go on, one that starts over in each turn, one that has to be cleared for that
+            // one that ends, two that continue, one that restarts in each turn, one that must be cleared for that
             for (auto *const guide :
                  {make<og::RRTConnect>, make<og::BITstar>, make<og::RRTstar>, make<og::FMT>, make<og::BFMT>})
             {
@@ -293,7 +293,7 @@ namespace ompl_mfa::engine::guides
 
         TEST_F(GuidePlanner, GoalsThatComeLaterReachIt)
         {
-            // the first goal state is in a cell of its own
+            // the first goal state is in a closed cell
             test::PlanningProblem problem(test::realVectorSpace(2, 0.0, 10.0),
                                           [](const ob::State *s)
                                           {

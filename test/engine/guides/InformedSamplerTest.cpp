@@ -55,7 +55,7 @@ namespace ompl_mfa::engine::guides
 {
     namespace
     {
-        /* Path length under another name: nothing is taken for certain of it. */
+        /* Path length in a derived class: its lower bounds are not certain. */
         class Derived : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -86,7 +86,7 @@ namespace ompl_mfa::engine::guides
                 return space_->distance(start_.get(), state_.get()) + space_->distance(state_.get(), goal_.get());
             }
 
-            /* How many of 300 samples a path shorter than the bound can lead through, and how many were drawn. */
+            /* How many of 300 samples may lie on a path shorter than the bound, and how many were drawn. */
             std::pair<int, int> informed(const path::CostBounds &bounds)
             {
                 InformedSampler sampler(chart_, bounds, 3);
@@ -137,7 +137,7 @@ namespace ompl_mfa::engine::guides
             EXPECT_LT(within, 300);
         }
 
-        /* Three goals around a start, of which the bound leaves two. */
+        /* Three goals around a start; the bound leaves two. */
         TEST(InformedSampler, DrawsFromTheInformedSetsOfAllPairsThatCanBeBetter)
         {
             const auto space = test::realVectorSpace(2);
@@ -171,13 +171,13 @@ namespace ompl_mfa::engine::guides
                 EXPECT_GT(within[0], 100);
                 EXPECT_GT(within[1], 100);
                 EXPECT_EQ(within[2], 0);
-                // no pair is left, and all are again where the bound is worse
+                // no pair is left, and all return with a worse bound
                 EXPECT_FALSE(sampler.sample(starts, goals, 3.0, state.get()));
                 EXPECT_TRUE(sampler.sample(starts, goals, 7.0, state.get()));
             }
         }
 
-        /* A reward at the goal that is farther: without it the state between is beyond the bound. */
+        /* A reward at the farther goal: without it the state between them is beyond the bound. */
         TEST(InformedSampler, KnowsOfRewardsAtTheEnds)
         {
             class Rewarded : public Derived

@@ -151,7 +151,7 @@ namespace ompl_mfa::engine::guides
             }
         }
 
-        /* What the roadmap has after so many turns with a bound that falls with its paths. */
+        /* The roadmap after so many turns with a bound that falls with its paths. */
         struct Growth
         {
             std::size_t largest{0};
@@ -190,7 +190,7 @@ namespace ompl_mfa::engine::guides
             }
         };
 
-        /* Of 10000 edges 600 states have all, k being 16 and more. */
+        /* 600 states already have 10000 edges, as k is at least 16. */
         TEST_F(RoadmapGrowthTest, StaysWithinItsCapacityWhileThePathImproves)
         {
             RoadmapPart roadmap(search_.context, false, 10000);
@@ -203,7 +203,7 @@ namespace ompl_mfa::engine::guides
             EXPECT_LT(std::min(first.best, later.best), 1.02 * test::wallOptimum());
         }
 
-        /* States drawn before there was a bound, of which few are of use once it is near the optimum. */
+        /* States drawn before there was a bound; few are of use once it is near the optimum. */
         TEST_F(RoadmapGrowthTest, LosesWhatNoBetterPathCanLeadThrough)
         {
             RoadmapPart roadmap(search_.context, false);
@@ -232,7 +232,7 @@ namespace ompl_mfa::engine::guides
             EXPECT_LT(4 * beyond, static_cast<int>(graph.states.size()) + 4);
         }
 
-        /* A goal that is beaten keeps the states of another one: the informed sets of all pairs count. */
+        /* States of no use to one goal are kept for another: the informed sets of all pairs count. */
         TEST_F(RoadmapGrowthTest, KeepsWhatAnotherGoalNeeds)
         {
             const auto space = problem_->si->getStateSpace();
@@ -272,7 +272,7 @@ namespace ompl_mfa::engine::guides
             EXPECT_GT(around[1], 20);
         }
 
-        /* Motions that cross the middle of the square below the wall's gap cost more than any number. */
+        /* Motions across the middle of the square below the wall's gap have infinite cost. */
         class Forbidding : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -304,7 +304,7 @@ namespace ompl_mfa::engine::guides
                 bound = std::numeric_limits<double>::max();
             }
             EXPECT_TRUE(std::isfinite(cost));
-            // also for a caller who asks for any path again and again
+            // also for a caller who keeps requesting any path
             RoadmapPart another(search.context, false);
             cost = std::numeric_limits<double>::infinity();
             for (int turn = 0; turn < 400 && !std::isfinite(cost); ++turn)

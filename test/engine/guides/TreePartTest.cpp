@@ -76,7 +76,7 @@ namespace ompl_mfa::engine::guides
             return pdef;
         }
 
-        /* A query in any space and all that a part of its search needs. */
+        /* A query in any space, with everything that a part of its search needs. */
         class TreeQuery
         {
         public:
@@ -148,7 +148,7 @@ namespace ompl_mfa::engine::guides
         INSTANTIATE_TEST_SUITE_P(Planner, TreePartInSpace, ::testing::ValuesIn(test::supportedSpaces()),
                                  test::SpaceName());
 
-        /* A tenth of the states, by the first of their coordinates that the space projects, is invalid: stripes. */
+        /* A tenth of the states, in stripes along the first coordinate of the space's projection, is invalid. */
         TEST_P(TreePartInSpace, FindsValidPathsFromStartToGoal)
         {
             const auto space = GetParam().make();
@@ -208,7 +208,7 @@ namespace ompl_mfa::engine::guides
             }
         };
 
-        /* One way: motions across the middle are valid only to the right. */
+        /* One-way: motions across the middle are valid only to the right. */
         class OneWay : public ob::MotionValidator
         {
         public:
@@ -284,12 +284,12 @@ namespace ompl_mfa::engine::guides
             }
         }
 
-        /* The near goal can be seen from the start: trees with a root there would always end there. */
+        /* The near goal is visible from the start: trees with a root there would always end there. */
         TEST_F(TreePartTest, GrowsFromNoGoalThatCannotBeOnABetterPath)
         {
             const auto q = query({{1.0, 1.0}}, {{1.0, 9.9}, {9.0, 1.0}});
             TreePart trees(q->search.context);
-            // to the first goal it is 8.9, to the second at the least 8, and 13.2 around the wall
+            // 8.9 to the first goal; to the second at least 8, and 13.2 around the wall
             ASSERT_FALSE(q->find(trees, 8.5, 20));
             SearchGraph graph(space_);
             trees.explain(graph);
@@ -315,7 +315,7 @@ namespace ompl_mfa::engine::guides
                               BOUND);
                 }
             }
-            // where nothing can be better there is nothing to grow
+            // trees do not grow when no better path is possible
             TreePart others(q->search.context);
             q->counted.forget();
             EXPECT_FALSE(q->find(others, 8.0, 3));
@@ -386,7 +386,7 @@ namespace ompl_mfa::engine::guides
             trees.explain(before);
             EXPECT_TRUE(before.states.empty());
             ASSERT_TRUE(q->find(trees, ANY));
-            // it appends to what others have explained
+            // it appends to the states of other parts
             SearchGraph graph(space_);
             graph.states.append(q->search.starts()[0]);
             trees.explain(graph);

@@ -62,7 +62,7 @@ namespace ompl_mfa::engine::refinement
 {
     namespace
     {
-        /* An integral that depends on the direction too, and counts how often it is asked for. */
+        /* An integral that also depends on the direction, and counts its calls. */
         class Counted : public ob::StateCostIntegralObjective
         {
         public:
@@ -149,7 +149,7 @@ namespace ompl_mfa::engine::refinement
             EXPECT_NEAR(cost, evaluator_.cost(tightening_.path()).value(), 1e-9 * cost);
         }
 
-        /* The positions of a state are kept out of a ball around the origin and, in a plane, out of a thin wall. */
+        /* The positions of a state must stay out of a ball around the origin and, in a plane, out of a thin wall. */
         class Room : public ob::StateValidityChecker
         {
         public:
@@ -209,7 +209,7 @@ namespace ompl_mfa::engine::refinement
 
             ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
             {
-                // no length at infinite cost is no number
+                // infinite cost times no length is not a number
                 return si_->equalStates(from, to) ? identityCost() : StateCostIntegralObjective::motionCost(from, to);
             }
         };
@@ -228,7 +228,7 @@ namespace ompl_mfa::engine::refinement
             }
         };
 
-        /* A motion costs three times as much one way as the other. */
+        /* A motion costs three times as much in one direction as in the other. */
         class OneWayLength : public ob::PathLengthOptimizationObjective
         {
         public:
@@ -291,8 +291,8 @@ namespace ompl_mfa::engine::refinement
         INSTANTIATE_TEST_SUITE_P(Path, TighteningOfEverySpace, ::testing::ValuesIn(test::supportedSpaces()),
                                  test::SpaceName());
 
-        /* Whatever the objective, and wherever it is interrupted: the ends stay, the path stays valid and gets no
-           worse, and its cost is known. */
+        /* For every objective, and wherever interrupted: the ends stay, the path stays valid and does not get worse,
+           and its cost is known. */
         TEST_P(TighteningOfEverySpace, EveryStepKeepsThePathValidAndNoneMakesItWorse)
         {
             unsigned int improved = 0;
@@ -342,7 +342,7 @@ namespace ompl_mfa::engine::refinement
             EXPECT_GT(improved, 25U) << "of 100 paths";
         }
 
-        /* Motions of infinite cost lead nowhere that a difference of costs could tell. */
+        /* With motions of infinite cost, differences of costs say nothing. */
         TEST_F(PathTighteningTest, APathOfInfiniteCostBecomesOneOfFiniteCost)
         {
             for (const bool single : {true, false})
@@ -367,7 +367,7 @@ namespace ompl_mfa::engine::refinement
                     ASSERT_TRUE(std::isfinite(cost)) << seed;
                     EXPECT_NEAR(cost, evaluator.cost(tightening.path()).value(), 1e-9 * cost);
                     EXPECT_TRUE(evaluator.checkPath(tightening.path()));
-                    // and is refined as any other
+                    // and is refined like any other
                     tightening.advance(40000);
                     EXPECT_LT(tightening.cost().value(), cost);
                     EXPECT_LT(tightening.cost().value(), 20.0);
@@ -375,8 +375,8 @@ namespace ompl_mfa::engine::refinement
             }
         }
 
-        /* Few single vertices lead around it within the bounds: a motion of which a part still costs too much is a step
-           on the way. */
+        /* Few single vertices lead around it within the bounds: a motion that still crosses it in part is an
+           intermediate step. */
         TEST(PathTightening, LeadsAMotionAroundALargeRegionOfInfiniteCost)
         {
             class LethalBall : public ob::StateCostIntegralObjective
@@ -415,7 +415,7 @@ namespace ompl_mfa::engine::refinement
             }
         }
 
-        /* Where more is better, infinity is the best and its negative the worst. */
+        /* When maximising, infinity is the best cost and its negative the worst. */
         TEST_F(PathTighteningTest, APathWithoutClearanceIsLedAwayFromTheObstacle)
         {
             class NoClearanceNearby : public ob::MaximizeMinClearanceObjective
@@ -444,7 +444,7 @@ namespace ompl_mfa::engine::refinement
             EXPECT_TRUE(evaluator.checkPath(tightening.path()));
         }
 
-        /* What OMPL's own checks at the resolution would not see: walls thinner than a step, with gaps. */
+        /* Obstacles that OMPL's own checks at the resolution miss: walls thinner than a step, with gaps. */
         TEST_F(PathTighteningTest, EveryMotionStaysValidAtTwiceTheResolution)
         {
             const auto si = std::make_shared<ob::SpaceInformation>(space_);
@@ -476,7 +476,7 @@ namespace ompl_mfa::engine::refinement
             EXPECT_GT(motions, 100U);
         }
 
-        /* From one side of a ball of radius 3 to the other, beginning with a long way around. */
+        /* From one side of a ball of radius 3 to the other, starting with a long detour. */
         struct WayAroundABall
         {
             explicit WayAroundABall(unsigned int dimension)
@@ -517,7 +517,7 @@ namespace ompl_mfa::engine::refinement
                            RADIUS * (boost::math::constants::pi<double>() - 2.0 * std::acos(RADIUS / 8.0))};
         };
 
-        /* The mean cost of paths that have been tightened, with different seeds, by so much work. */
+        /* The mean cost of paths tightened with different seeds and so much work. */
         double meanCost(const WayAroundABall &problem, std::uint64_t work, unsigned int seeds)
         {
             double sum = 0.0;
@@ -533,8 +533,8 @@ namespace ompl_mfa::engine::refinement
             return sum / seeds;
         }
 
-        /* That each kind of step is tried as often as it paid, and none is given up for good: with the shares fixed by
-           the last step, or without a floor, the excess is at least twice as large, 0.1. */
+        /* Each kind of step is tried as often as it pays, and is never given up: with the shares fixed by the last
+           step, or without a floor, the excess is at least twice as large, 0.1. */
         TEST(PathTightening, SharesItsWorkByWhatPays)
         {
             const WayAroundABall plane(2);
@@ -566,8 +566,8 @@ namespace ompl_mfa::engine::refinement
             }
         }
 
-        /* A shortest path touches the ball, but what interpolates it at four times the resolution still finds it valid,
-           as a rule: 95 of 100 motions, and 60 to 70 without the margin. */
+        /* A shortest path touches the ball, but interpolated at four times the resolution it is usually still valid: 95
+           of 100 motions, and 60 to 70 without the margin. */
         TEST(PathTightening, KeepsAMarginWhereAVertexWasBlocked)
         {
             const WayAroundABall problem(2);

@@ -133,11 +133,11 @@ namespace ompl_mfa::engine::refinement
             part_.refine(detour_, cost, ob::Cost(0.1));
             const std::uint64_t given = search_.evaluator().work() - before;
             EXPECT_GT(cost.value(), 0.1);
-            // 8 rounds of 3 checks of the path, some 600 states, at the most
+            // at most 8 rounds of 3 checks of the path, some 600 states
             EXPECT_LT(given, 20000U);
         }
 
-        /* The next turn goes on with the path that refine() made, or with the raw one that became the best. */
+        /* The next turn continues with the path that refine() made, or with the raw one that became the best. */
         TEST_F(TighteningPartTest, TurnsGoOnWithWhatBecameTheBestPath)
         {
             ob::Cost cost(detour_.length());
@@ -147,7 +147,7 @@ namespace ompl_mfa::engine::refinement
             ASSERT_FALSE(findings_.paths.empty());
             EXPECT_LT(findings_.paths.back().cost->value(), cost.value());
             findings_.paths.clear();
-            // one on the other side of one of its own
+            // a raw path that is shorter than the refined one
             const path::Waypoints other = test::planarPath(space_, {{1.0, 1.0}, {4.0, 6.2}, {6.0, 6.2}, {9.0, 1.0}});
             ASSERT_LT(other.length(), cost.value());
             offer(other, Proposal::Stage::Raw);

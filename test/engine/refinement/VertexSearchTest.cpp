@@ -48,7 +48,7 @@ namespace ompl_mfa::engine::refinement
 {
     namespace
     {
-        /* The matrix A of a search, column by column: a step is sigma A z with the z that the generator draws next. */
+        /* The matrix A of a search, column by column: a step is sigma A z, z being the next draws of the generator. */
         Eigen::MatrixXd factorOf(const VertexSearch &search, Eigen::Index d)
         {
             // d independent steps and their normal vectors, from two generators of one seed
@@ -92,7 +92,8 @@ namespace ompl_mfa::engine::refinement
             EXPECT_NEAR(sum / 2000, 3 * 0.25, 0.08);
         }
 
-        /* The constants of Arnold and Hansen: one success in 2/11 keeps the deviation, damping 1 + d/2, memory 1/12. */
+        /* The constants of Arnold and Hansen: a success rate of 2/11 keeps the deviation, damping 1 + d/2, memory
+           1/12. */
         TEST(VertexSearch, TheDeviationFollowsTheRateOfSuccess)
         {
             for (const Eigen::Index d : {1, 2, 7})
@@ -124,7 +125,7 @@ namespace ompl_mfa::engine::refinement
             EXPECT_EQ(search.sigma(), 0.3);
         }
 
-        /* A A^T becomes (1 - c) A A^T + c s s^T, with the path s of the steps that succeeded. */
+        /* A A^T becomes (1 - c) A A^T + c s s^T, with the path s of successful steps. */
         RC_GTEST_PROP(VertexSearchProperty, SuccessTurnsTheCovarianceTowardTheStepsTaken, ())
         {
             const Eigen::Index d = *rc::gen::inRange(1, 8);
@@ -152,7 +153,7 @@ namespace ompl_mfa::engine::refinement
             }
         }
 
-        /* A is reduced by beta / |w|^2 v w^T with w = A^-1 v, v the fading record of the steps that were blocked. */
+        /* A is reduced by beta / |w|^2 v w^T with w = A^-1 v, v the fading record of blocked steps. */
         RC_GTEST_PROP(VertexSearchProperty, AConstraintNarrowsTheDistributionAcrossIt, ())
         {
             const Eigen::Index d = *rc::gen::inRange(1, 8);
@@ -173,7 +174,7 @@ namespace ompl_mfa::engine::refinement
             }
         }
 
-        /* Where all steps with a positive first coordinate are blocked, the others become the likely ones. */
+        /* If all steps with a positive first coordinate are blocked, the others become the likely ones. */
         TEST(VertexSearch, VarianceShrinksAlongABlockedDirectionAlone)
         {
             VertexSearch search(3, 1.0);
@@ -193,7 +194,7 @@ namespace ompl_mfa::engine::refinement
             EXPECT_GT(covariance(1, 1), 0.1);
         }
 
-        /* What all of it is for: the minimum of a narrow valley on a constraint, in one dimension and in several. */
+        /* The minimum of a narrow valley on a constraint, in one dimension and in several. */
         TEST(VertexSearch, FindsTheMinimumOfAValleyOnAConstraint)
         {
             for (const Eigen::Index d : {1, 2, 5})
