@@ -107,7 +107,7 @@ namespace
         }
     }
 
-    /* Replaces this process by the statistics, which are Debian's scipy. */
+    /* Replaces this process by report.py, which needs Debian's python3-scipy. */
     [[noreturn]] void report(const Options &options)
     {
         const std::string script = OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/report.py";
