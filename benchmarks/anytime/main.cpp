@@ -68,6 +68,8 @@ namespace
         std::filesystem::path runs{"anytime-runs.jsonl"};
         std::filesystem::path csv;
         std::filesystem::path markdown;
+        std::filesystem::path results;
+        std::string curves;
         bool fresh{false};
         bool updateReferences{false};
     };
@@ -121,6 +123,14 @@ namespace
         {
             arguments.insert(arguments.end(), {"--markdown", options.markdown.string()});
         }
+        if (!options.results.empty())
+        {
+            arguments.insert(arguments.end(), {"--results", options.results.string()});
+        }
+        if (!options.curves.empty())
+        {
+            arguments.insert(arguments.end(), {"--curves", options.curves});
+        }
         if (options.updateReferences)
         {
             arguments.emplace_back("--update-references");
@@ -167,6 +177,10 @@ namespace
             ->capture_default_str();
         command.add_option("--csv", options.csv, "write a row a world and planner to this file");
         command.add_option("--markdown", options.markdown, "write the tables to this file");
+        auto *results = command.add_option("--results", options.results,
+                                           "write planners.csv, worlds.csv, summary.csv and curves.csv to this folder");
+        command.add_option("--curves", options.curves, "regular expression that selects the worlds of curves.csv")
+            ->needs(results);
     }
 
     int parseAndRun(int argc, char **argv)
