@@ -67,7 +67,7 @@ namespace ompl_mfa::anytime
     std::vector<World> omplAppWorlds(const std::filesystem::path &folder);
 
     /** \brief All worlds in order: those of this project and, if found, the problems of OMPL.app (in
-        $OMPL_MFA_OMPLAPP_DIR or ../shared/omplapp beside the project). */
+        $OMPL_MFA_OMPLAPP_DIR or ../shared/omplapp next to the project). */
     std::vector<World> allWorlds();
 
     /** \brief The worlds whose name contains a match of \e pattern. Throws InputError for an invalid regular expression

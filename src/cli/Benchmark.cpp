@@ -82,7 +82,7 @@ namespace ompl_mfa::cli
             std::string name;
             std::size_t runs{0};
             std::size_t solved{0};
-            /** \brief Runs that crashed or were killed. */
+            /** \brief Runs that did not return normally. */
             std::size_t ended{0};
             std::vector<double> firstSolutions;
             std::vector<double> costs;

@@ -133,7 +133,7 @@ namespace ompl_mfa::benchmark
         std::size_t missing{0};
     };
 
-    /** \brief Runs planners on a problem, each run in a process of its own, and writes OMPL's benchmark log.
+    /** \brief Runs planners on a problem, each run in a separate process, and writes OMPL's benchmark log.
 
         A run that damages its process affects no other run. Finished runs are on the disk: a campaign stopped at any
         point continues with `resume`. The calling process must be single-threaded. */
