@@ -1,7 +1,7 @@
 include(CMakePackageConfigHelpers)
 set(OMPL_MFA_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ompl_mfa)
 
-# The headers of the libraries that are built, a folder each.
+# The headers of the libraries that are built, one folder per library.
 set(OMPL_MFA_HEADERS include/ompl_mfa/optimizer include/ompl_mfa/planner)
 foreach(room pagmo collision benchmark)
     if(TARGET ompl_mfa_${room})

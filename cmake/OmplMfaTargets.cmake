@@ -1,4 +1,4 @@
-# Functions with which every library, program and test of the project is declared.
+# Functions that declare all libraries, programs and tests of the project.
 
 # Compiler settings that all targets share. No flag here may change Eigen's alignment (-march=native and the like):
 # Eigen types cross the ABI of OMPL and FCL.
@@ -11,33 +11,34 @@ function(ompl_mfa_compile_settings target)
         target_compile_options(${target} PRIVATE -fsanitize=${OMPL_MFA_SANITIZE} -fno-omit-frame-pointer
                                                  -fno-sanitize-recover=all)
         target_link_options(${target} PRIVATE -fsanitize=${OMPL_MFA_SANITIZE})
-        # Under AddressSanitizer Eigen would align by itself, and libompl, built without, frees what this code allocates.
+        # Under AddressSanitizer Eigen would use its own aligned allocation, but libompl, built without, frees memory
+        # allocated by this code.
         target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
     endif()
 endfunction()
 
-# Code in which a run spends no time, such as tests and command lines, most of it templates of other libraries: an
-# optimisation that takes a compiler half as long.
+# A lower optimisation level that halves the compile time, for code that is not performance-critical and consists mostly
+# of templates of other libraries, such as tests and command lines.
 function(ompl_mfa_optimize_lightly target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# ompl_mfa_precompile(<target> <headers>): headers of other libraries that most sources of the target include. To leave
-# this out, as tools that read the sources need it, set CMAKE_DISABLE_PRECOMPILE_HEADERS.
+# ompl_mfa_precompile(<target> <headers>): headers of other libraries that most sources of the target include. Tools
+# that parse the sources need CMAKE_DISABLE_PRECOMPILE_HEADERS.
 function(ompl_mfa_precompile target)
-    # Other compilers are stricter about who may share such a header, and are not what builds every day.
+    # Other compilers are stricter about sharing precompiled headers.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-        # The option lets ccache see through the precompiled header.
+        # Required by ccache for precompiled headers.
         target_compile_options(${target} PRIVATE -fpch-preprocess)
         target_precompile_headers(${target} PRIVATE ${ARGN})
     endif()
 endfunction()
 
-# ompl_mfa_add_library(<target> <exported name>): an installed library; rooms add their sources to it.
+# ompl_mfa_add_library(<target> <exported name>): an installed library, to which the folders add their sources.
 function(ompl_mfa_add_library target export_name)
     add_library(${target})
     add_library(ompl_mfa::${export_name} ALIAS ${target})
-    # Before version 1 the interface may change with each minor version.
+    # Before version 1 the ABI may change with each minor version.
     set_target_properties(${target} PROPERTIES
         EXPORT_NAME ${export_name} VERSION ${PROJECT_VERSION}
         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
@@ -52,9 +53,9 @@ function(ompl_mfa_add_library target export_name)
 endfunction()
 
 # ompl_mfa_add_test(<name> SOURCES <files> LIBRARIES <targets> [LABELS <labels>] [TIMEOUT <seconds>]): one GoogleTest
-# program, registered with CTest as a whole; each program belongs to one room and is named <room>_<what>. The target
-# ompl_mfa_tests builds them all. Properties (RapidCheck) are tried on the same examples in every run; with
-# RC_PARAMS="seed=N max_success=1000" in the environment a program that is run by hand tries others.
+# program, registered with CTest as one test and named <folder>_<what>. The target ompl_mfa_tests builds all of them.
+# RapidCheck properties use the same examples in every CTest run; to try others, run a program manually with
+# RC_PARAMS="seed=N max_success=1000" in the environment.
 function(ompl_mfa_add_test name)
     cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
@@ -69,7 +70,7 @@ function(ompl_mfa_add_test name)
         target_precompile_headers(${name} REUSE_FROM ompl_mfa_test_headers)
     endif()
     if(OMPL_MFA_SANITIZE)
-        # The libraries' pointers are checked; checking those of a test's own code would double the time of its build.
+        # Only the libraries are instrumented for null pointers; instrumenting tests would double their build time.
         target_compile_options(${name} PRIVATE -fno-sanitize=null,alignment,vptr)
     endif()
     if(NOT TARGET ompl_mfa_tests)

@@ -1,7 +1,7 @@
 # Defines ompl_mfa::ompl, the OMPL that this project links, and OMPL_MFA_OMPL_VERSION.
 #
-# OMPL 1.6 and newer export ompl::ompl. OMPL 1.5 only sets variables, and Debian's OMPL_LIBRARIES names development
-# files of packages that need not be installed: only the libompl entry is kept there.
+# OMPL 1.6 and newer export ompl::ompl. OMPL 1.5 only sets variables, and Debian's OMPL_LIBRARIES lists development
+# files of packages that may not be installed: only the libompl entry is kept.
 find_package(ompl REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(Boost REQUIRED)

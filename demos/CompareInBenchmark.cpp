@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* MFA beside other planners in OMPL's own benchmark: a log for ompl_benchmark_statistics.py and Planner Arena. */
+/* MFA and other planners in OMPL's Benchmark, which writes a log for ompl_benchmark_statistics.py and Planner Arena. */
 
 #include <cmath>
 #include <iostream>

@@ -34,7 +34,8 @@
 
 /* Author: the ompl_mfa authors */
 
-/* An objective of one's own: the path that is cheapest to drive over uneven ground, not the shortest one. */
+/* A user-defined objective: the path that takes the least energy to drive over uneven ground, instead of the shortest
+   one. */
 
 #include <cmath>
 #include <iostream>
@@ -53,7 +54,7 @@ namespace og = ompl::geometric;
 
 namespace
 {
-    /** \brief Energy of a drive: a metre costs 1 on firm ground and up to 5 in the middle of a bog. */
+    /** \brief Driving energy: 1 per metre on firm ground and up to 5 in the middle of a bog. */
     class DrivingEnergy : public ob::StateCostIntegralObjective
     {
     public:
@@ -70,8 +71,8 @@ namespace
             return ob::Cost(1.0 + 4.0 * std::exp(-0.5 * toBog * toBog));
         }
 
-        /* No metre is cheaper than on firm ground, so the straight distance bounds a motion's energy from below. A
-           planner rejects motions by this bound before it checks them. */
+        /* Firm ground has the lowest cost, so the straight distance is a lower bound on a motion's energy. A planner
+           rejects motions by this bound before it checks them. */
         ob::Cost motionCostHeuristic(const ob::State *from, const ob::State *to) const override
         {
             return ob::Cost(si_->distance(from, to));

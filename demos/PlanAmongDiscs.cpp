@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* A point among discs in the plane: ompl_mfa::MFA in OMPL's SimpleSetup, as any other planner. */
+/* A point among discs in the plane: ompl_mfa::MFA in OMPL's SimpleSetup, like any other planner. */
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +87,7 @@ int main()
     planner->params().setParam("population_size", "40");
     setup.setPlanner(planner);
 
-    /* MFA is an anytime planner: it uses the time that it is given to shorten the path. */
+    /* MFA is an anytime planner: it uses all of the given time to shorten the path. */
     if (setup.solve(0.5) != ob::PlannerStatus::EXACT_SOLUTION)
     {
         std::cerr << "no path found\n";

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-/* A bar in SE(3) that has to turn to get through a window: FCL checks the collisions, OMPL does the rest. */
+/* A bar in SE(3) that has to rotate to pass a window, with collision checking by FCL. */
 
 #include <iostream>
 #include <memory>

@@ -45,11 +45,11 @@ namespace ompl_mfa::anytime
     {
         using Point = Eigen::Vector2d;
 
-        /* Radians. The tip moves by less than the thinnest obstacle between two checked states. */
+        /* Radians. Between two checked states the tip moves by less than the thickness of the thinnest obstacle. */
         constexpr double RESOLUTION = 0.01;
         constexpr double PI = 3.14159265358979323846;
 
-        /* Stretched out to one side; the goal is its mirror image. */
+        /* Stretched out to one side; the goal is the mirror image. */
         Eigen::VectorXd startAngles(int links)
         {
             Eigen::VectorXd angles = Eigen::VectorXd::Constant(links, 0.05);
@@ -57,7 +57,7 @@ namespace ompl_mfa::anytime
             return angles;
         }
 
-        /* A bar points at the base from outside and discs lie around it, all between start and goal: the arm folds. */
+        /* A bar pointing at the base, surrounded by discs, all between start and goal: the arm has to fold. */
         Capsules drawObstacles(int links, WorldRandom &random)
         {
             const Eigen::VectorXd start = startAngles(links);

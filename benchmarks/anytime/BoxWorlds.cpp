@@ -44,7 +44,7 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
-        /* Obstacles are open boxes: a path may touch them, as the exact optimum does. */
+        /* Obstacles are open boxes: a path may touch them, like the exact optimum. */
         struct Box
         {
             Eigen::VectorXd lower;
@@ -63,12 +63,12 @@ namespace ompl_mfa::anytime
             }
         };
 
-        /* Longest step between two checked states of a motion in a cube of side 1; no wall is thinner than 0.02. */
+        /* Longest distance between two checked states of a motion in a unit cube; no wall is thinner than 0.02. */
         constexpr double RESOLUTION = 0.001;
-        /* Walls reach this far out of the cube, so that no path slips along its face. */
+        /* Walls extend this far out of the cube, so that no path passes along its face. */
         constexpr double OUTSIDE = 0.1;
 
-        /* The coordinates of all boxes in a row, lower and upper of each coordinate side by side. */
+        /* Stores the coordinates of all boxes contiguously, as pairs of lower and upper. */
         StateCheck boxCheck(const BoxScene &scene)
         {
             std::vector<double> intervals;
@@ -125,7 +125,7 @@ namespace ompl_mfa::anytime
             return scene;
         }
 
-        /* Fills \e x by \e y and the whole cube in all other coordinates. */
+        /* Adds a wall of the given extent in x and y that spans the cube in all other coordinates. */
         void addWall(BoxScene &scene, double lowX, double highX, double lowY, double highY)
         {
             const auto n = scene.dimension();
@@ -135,7 +135,7 @@ namespace ompl_mfa::anytime
             scene.boxes.push_back(std::move(wall));
         }
 
-        /* One wall between start and goal: a narrow gap in it, and a wide way around its end. */
+        /* One wall between start and goal, with a narrow gap in it and a wide passage around its end. */
         BoxScene wallGap(Eigen::Index dimension, WorldRandom &random)
         {
             BoxScene scene = emptyScene(dimension, 0.1, 0.9);
@@ -166,13 +166,13 @@ namespace ompl_mfa::anytime
         struct Shell
         {
             Eigen::VectorXd centre;
-            double inner;      // half the side of the room inside
-            double thickness;  // of its walls
-            double hole;       // half the side of the hole in the wall at x
+            double inner;      // half the inner side length of the room
+            double thickness;  // thickness of its walls
+            double hole;       // half the side length of the hole in a wall normal to x
             bool opensLow;     // whether the hole is in the wall at low x
         };
 
-        /* The wall across coordinate \e axis, whole. */
+        /* The complete wall normal to coordinate \e axis. */
         Box shellWall(const Shell &shell, Eigen::Index axis, bool low)
         {
             const double outer = shell.inner + shell.thickness;
@@ -200,7 +200,7 @@ namespace ompl_mfa::anytime
                     }
                 }
             }
-            // what is left of the open wall around the hole: two slabs for each other coordinate
+            // the rest of the open wall around the hole: two slabs for each other coordinate
             for (Eigen::Index axis = 1; axis < scene.dimension(); ++axis)
             {
                 Box slab = shellWall(shell, 0, shell.opensLow);
@@ -212,7 +212,7 @@ namespace ompl_mfa::anytime
             }
         }
 
-        /* Start and goal each in a room whose hole faces away from the other. */
+        /* Start and goal are each in a room whose hole faces away from the other. */
         BoxScene doubleEnclosure(Eigen::Index dimension, WorldRandom &random)
         {
             BoxScene scene = emptyScene(dimension, 0.25, 0.75);
@@ -227,7 +227,7 @@ namespace ompl_mfa::anytime
             return (x.array() < box.lower.array() - 0.02 || x.array() > box.upper.array() + 0.02).any();
         }
 
-        /* Boxes anywhere; a third of them across the straight line, which is what matters in many dimensions. */
+        /* Random boxes, a third of them on the straight line, as only these matter in many dimensions. */
         BoxScene randomBoxes(Eigen::Index dimension, int count, double low, double high, WorldRandom &random)
         {
             BoxScene scene = emptyScene(dimension, 0.05, 0.95);
@@ -253,8 +253,8 @@ namespace ompl_mfa::anytime
 
         using SceneMaker = std::function<BoxScene(Eigen::Index, WorldRandom &)>;
 
-        /* \e planar: the shortest path keeps to the plane of the first two coordinates, so that the optimum of the
-           same scene in two dimensions is the optimum. */
+        /* \e planar: the shortest path lies in the plane of the first two coordinates, so that its length is that of
+           the same scene in two dimensions. */
         World boxWorld(const std::string &kind, Eigen::Index dimension, std::uint64_t seed, bool planar,
                        const SceneMaker &maker)
         {

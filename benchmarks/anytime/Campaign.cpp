@@ -52,7 +52,8 @@ namespace ompl_mfa::anytime
         using campaign::RunProcess;
         using campaign::RunTermination;
 
-        /* Any two files of runs can become one: a run is known by all that decides it. */
+        /* The same for all journals, so that files of runs can be concatenated: the key of a run identifies it
+           completely. */
         const char *const IDENTITY = "ompl_mfa_anytime";
 
         /* JSON has no infinity. */
@@ -61,7 +62,7 @@ namespace ompl_mfa::anytime
             return std::isfinite(value) ? Json(value) : Json(nullptr);
         }
 
-        /* One entry an improvement: wall seconds, processor seconds, cost, states checked. */
+        /* One entry per improvement: wall seconds, processor seconds, cost, states checked. */
         Json toJson(const ImprovementLog &log)
         {
             Json improvements = Json::array();

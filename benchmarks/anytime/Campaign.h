@@ -50,26 +50,25 @@ namespace ompl_mfa::anytime
     struct CampaignRequest
     {
         std::vector<World> worlds;
-        /** \brief As parsePlanner() reads them. */
+        /** \brief In the format of parsePlanner(). */
         std::vector<std::string> planners;
-        /** \brief Seeds 1 to this number. */
+        /** \brief The seeds are 1 to this number. */
         std::uint32_t seeds;
-        /** \brief Seconds a run, of \e clock. */
+        /** \brief Seconds per run on \e clock. */
         double timeLimit;
         Clock clock;
     };
 
-    /** \brief Executed in the process of the run. */
+    /** \brief Called in the process of the run. */
     using RunBody = std::function<RunResult(const RunRequest &, RunMemory &)>;
 
-    /** \brief One run. It is killed when it is far beyond its time limit: half as much again and one second of
-       processor time, six times and half a minute of the wall clock. */
+    /** \brief One run. It is killed far beyond its time limit: after 1.5 times the limit plus 1 s of processor time, or
+        6 times plus 30 s of wall time. */
     campaign::Work makeWork(const RunRequest &request, const RunBody &body = runPlanner);
 
-    /** \brief Makes the runs that the journal does not hold yet, whatever else it holds, seed by seed, so that an
-        interrupted campaign has about as many runs of each planner. Each is bound to a core, so that planners with
-       several threads get no more than the others. Throws InputError for a planner that cannot be made and as
-        campaign::makeRuns() does. */
+    /** \brief Makes the runs missing in the journal, which may contain others, ordered by seed, so that an interrupted
+        campaign has a similar number of runs of each planner. Each is bound to a core, so that planners with several
+        threads have no advantage. Throws InputError for an invalid planner and as campaign::makeRuns() does. */
     campaign::RunsMade runCampaign(const CampaignRequest &request, campaign::RunOptions options);
 }  // namespace ompl_mfa::anytime
 

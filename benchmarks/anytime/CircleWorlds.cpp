@@ -82,7 +82,7 @@ namespace ompl_mfa::anytime
 
         Problem makeCircleProblem(std::uint64_t seed)
         {
-            std::vector<double> circles;  // x, y and squared radius of each
+            std::vector<double> circles;  // x, y and squared radius of each disc
             for (const auto &disc : makeScene(seed).obstacles)
             {
                 circles.insert(circles.end(), {disc.vertices[0].x(), disc.vertices[0].y(), disc.radius * disc.radius});

@@ -47,7 +47,7 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
-        /* Every world is measured by path length, whatever its config asks for. */
+        /* The objective is always path length, regardless of the config. */
         Problem makeConfigProblem(const std::filesystem::path &file)
         {
             const auto setup = benchmark::ProblemFactory(benchmark::readBenchmarkConfig(file)).create();

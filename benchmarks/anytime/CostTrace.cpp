@@ -134,7 +134,7 @@ namespace ompl_mfa::anytime
 
     void CostTrace::watch()
     {
-        // the kernel's default of 0.05 ms would add to every sleep
+        // the default of 0.05 ms would extend every sleep
         prctl(PR_SET_TIMERSLACK, 1);
         watching_ = true;
         while (!stopped_)
@@ -197,7 +197,7 @@ namespace ompl_mfa::anytime
     void CostTrace::offer(double cost)
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        // properties are printed with six digits after the point: the same cost may come once more, rounded
+        // properties are printed with six decimals, so the same cost may be read again, rounded
         if (!(cost < best_ * (1.0 - 1e-9)) || !std::isfinite(cost))
         {
             return;

@@ -50,23 +50,24 @@
 
 namespace ompl_mfa::anytime
 {
-    /** \brief What a time limit counts. */
+    /** \brief Clock of a time limit. */
     enum class Clock
     {
-        CPU,  ///< the processor time of the run: other programs on the machine do not count
+        CPU,  ///< processor time of the run, independent of other programs
         Wall
     };
 
     /** \brief "cpu" or "wall". */
     std::string clockName(Clock clock);
 
-    /** \brief Seconds since some moment in the past. */
+    /** \brief Seconds since an arbitrary time in the past. */
     double wallTime();
 
-    /** \brief Seconds of processor time of this process, all of its threads together. */
+    /** \brief Seconds of processor time of this process, summed over its threads. */
     double cpuTime();
 
-    /** \brief A better path: when, how good, after how many checked states. Seconds since the planner was started. */
+    /** \brief A better path: time since the start of the planner (seconds), cost, and number of states checked so
+        far. */
     struct Improvement
     {
         double wall;
@@ -75,8 +76,8 @@ namespace ompl_mfa::anytime
         std::uint64_t checks;
     };
 
-    /** \brief Improvements of one run. Of constant size and without pointers: it lives in memory that two processes
-        share, and what was written survives the writer. */
+    /** \brief Improvements of one run. Of constant size and without pointers, for memory shared by two processes, so
+        that it survives a crash of the writer. */
     struct ImprovementLog
     {
         static constexpr std::uint32_t CAPACITY = 20000;
@@ -85,14 +86,14 @@ namespace ompl_mfa::anytime
         Improvement entries[CAPACITY]{};
     };
 
-    /** \brief Follows the cost of a planner's best path while it runs: through the callback for intermediate
-        solutions and, because some planners have only that, by reading the progress property `best cost` every
-        0.2 ms, when the planner asks whether it should stop and, as OMPL's own Benchmark does, from a thread. */
+    /** \brief Traces the cost of a planner's best path while it runs: with the callback for intermediate solutions and,
+        for planners without it, by polling the progress property `best cost` every 0.2 ms, both when the planner
+        evaluates its termination condition and, like OMPL's Benchmark, from a thread. */
     class CostTrace
     {
     public:
-        /** \brief Registers the callback in the problem definition and starts the thread and the clocks. \e limit in
-            seconds of \e clock. */
+        /** \brief Registers the callback in the problem definition and starts the thread and the clocks. \e limit is in
+            seconds on \e clock. */
         CostTrace(const Problem &problem, const ompl::base::Planner &planner, Clock clock, double limit,
                   ImprovementLog &log);
         ~CostTrace();
@@ -102,19 +103,19 @@ namespace ompl_mfa::anytime
         /** \brief The planner's termination condition: true once the limit has passed. */
         bool expired();
 
-        /** \brief Stops looking. */
+        /** \brief Stops polling. */
         void stop();
 
-        /** \brief Logs \e cost if it is better than all before. */
+        /** \brief Logs \e cost if it is an improvement. */
         void offer(double cost);
 
-        /** \brief How often the cost was read. */
+        /** \brief Number of times the cost was polled. */
         std::uint64_t looks() const
         {
             return looks_;
         }
 
-        /** \brief Processor seconds of the longest time between two looks, once stopped. */
+        /** \brief Longest time between two polls in processor seconds, once stopped. */
         double longestGap() const
         {
             return longestGap_;

@@ -44,8 +44,8 @@
 
 namespace ompl_mfa::anytime
 {
-    /** \brief All points within \e radius of a segment; a disc where both ends are the same. Lengths in units of the
-        arm's. */
+    /** \brief All points within \e radius of a segment; a disc if both ends are equal. Lengths in units of the arm's
+        length. */
     struct Capsule
     {
         Eigen::Vector2d from;
@@ -54,8 +54,8 @@ namespace ompl_mfa::anytime
     };
     using Capsules = std::vector<Capsule, Eigen::aligned_allocator<Capsule>>;
 
-    /** \brief Whether an arm of \e links links without width, 1 long in all and with its base at the origin, keeps out
-        of all obstacles. Angles in radians, each relative to the link before. */
+    /** \brief Whether an arm of \e links links without width, with total length 1 and its base at the origin, is
+        collision-free. Angles in radians, each relative to the previous link. */
     bool armIsFree(const double *angles, int links, const Capsules &obstacles);
 }  // namespace ompl_mfa::anytime
 

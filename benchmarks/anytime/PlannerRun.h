@@ -51,48 +51,49 @@ namespace ompl_mfa::anytime
     struct RunRequest
     {
         const World *world;
-        /** \brief As parsePlanner() reads it. */
+        /** \brief In the format of parsePlanner(). */
         std::string planner;
         /** \brief Above 0. */
         std::uint32_t seed;
-        /** \brief Seconds of \e clock. */
+        /** \brief Seconds on \e clock. */
         double timeLimit;
         Clock clock;
     };
 
-    /** \brief What is known of a run whose process has crashed. */
+    /** \brief Data of a run that survive a crash of its process. */
     struct RunMemory : campaign::RunState
     {
         ImprovementLog log;
     };
 
-    /** \brief What a run hands back. */
+    /** \brief Result of a run. */
     struct RunResult
     {
-        /** \brief Seconds that the planner took, on both clocks, and states that it checked. */
+        /** \brief Time of the planner on both clocks (seconds), and number of states checked. */
         double wall{0.0};
         double cpu{0.0};
         std::uint64_t checks{0};
-        /** \brief Whether there is a path that ends in the goal, and whether that path passes PathGeometric::check()
-            and leads from the start to the goal. */
+        /** \brief Whether there is a path to the goal, and whether it passes PathGeometric::check() and leads from the
+            start to the goal. */
         bool solved{false};
         bool valid{false};
-        /** \brief Cost of the path as it was returned; infinite without one. */
+        /** \brief Cost of the returned path; infinite if there is none. */
         double cost{std::numeric_limits<double>::infinity()};
-        /** \brief That path, state by state, each as the reals of its space. */
+        /** \brief The states of that path, each as the reals of its space. */
         std::vector<std::vector<double>> path;
-        /** \brief Seconds to check the returned path once (the least of several times), and states checked for it. */
+        /** \brief Seconds to check the returned path once (minimum of several checks), and number of states checked for
+            it. */
         double pathCheck{0.0};
         std::uint64_t pathChecks{0};
-        /** \brief Processor seconds of the longest time in which nobody looked at the cost. */
+        /** \brief Longest time between two polls of the cost, in processor seconds. */
         double longestGap{0.0};
-        /** \brief How often somebody did. */
+        /** \brief Number of polls. */
         std::uint64_t looks{0};
     };
 
-    /** \brief Makes the problem and the planner and runs it, once in the life of a process: OMPL's seed is set here.
-        Improvements are logged in \e memory. Exceptions of the planner pass through; throws InputError where the
-       planner cannot be made. */
+    /** \brief Makes the problem and the planner and runs it. May be called once per process, as it sets OMPL's seed.
+        Improvements are logged in \e memory. Passes on exceptions of the planner; throws InputError if the planner
+        cannot be made. */
     RunResult runPlanner(const RunRequest &request, RunMemory &memory);
 }  // namespace ompl_mfa::anytime
 

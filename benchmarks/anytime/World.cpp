@@ -50,7 +50,7 @@ namespace ompl_mfa::anytime
 {
     namespace
     {
-        /* The closed-form check of a state of R^n; bounds belong to it, as they do for OMPL's own checkers. */
+        /* Closed-form check of a state of R^n, including its bounds. */
         class ClosedFormChecker : public ob::StateValidityChecker
         {
         public:
@@ -69,7 +69,7 @@ namespace ompl_mfa::anytime
             StateCheck isFree_;
         };
 
-        /* OMPL's own choice in the plane is an identity that aborts in 1.5.2, and planners with it. */
+        /* OMPL's default in the plane is an identity projection that aborts in 1.5.2. */
         void registerIdentityProjection(const ob::StateSpacePtr &space)
         {
             space->registerDefaultProjection(

@@ -53,7 +53,7 @@
 
 namespace ompl_mfa::anytime
 {
-    /** \brief One start, one goal, a counted validity checker and path length as the objective. */
+    /** \brief A problem with one start, one goal, a counting validity checker and path length as the objective. */
     struct Problem
     {
         ompl::base::SpaceInformationPtr si;
@@ -61,15 +61,15 @@ namespace ompl_mfa::anytime
         std::shared_ptr<const path::CountingValidityChecker> checker;
     };
 
-    /** \brief A problem that is made again, always the same, in the process of each run. */
+    /** \brief A problem that can be made identically in the process of each run. */
     struct World
     {
         std::string name;
-        /** \brief Worlds that differ in their seed only are of one family. */
+        /** \brief Common name of worlds that differ only in their seed. */
         std::string family;
-        /** \brief Makes random number generators of OMPL: a seed is to be set before. */
+        /** \brief Makes random number generators of OMPL, so a seed has to be set before. */
         std::function<Problem()> make;
-        /** \brief Length of the shortest path, from geometry; empty where only searches know it. */
+        /** \brief Length of the shortest path, computed from geometry; empty if not available. */
         std::function<double()> optimum;
     };
 
@@ -77,15 +77,16 @@ namespace ompl_mfa::anytime
 
     /** \brief A problem in a box of R^n with path length as its objective.
 
-        \e isFree takes the n coordinates of a state within bounds. \e resolution is the largest distance between two
-        checked states of a motion. */
+        \e isFree is called with the n coordinates of a state within bounds. \e resolution is the largest distance
+        between two checked states of a motion. */
     Problem makeProblem(const Eigen::VectorXd &lower, const Eigen::VectorXd &upper, const Eigen::VectorXd &start,
                         const Eigen::VectorXd &goal, double resolution, StateCheck isFree);
 
-    /** \brief As OMPL's problem of \e si and \e pdef, its checker counted. */
+    /** \brief The problem of \e si and \e pdef, with its checker replaced by a counting one. */
     Problem countChecks(const ompl::base::SpaceInformationPtr &si, const ompl::base::ProblemDefinitionPtr &pdef);
 
-    /** \brief The generator of the worlds. Standard distributions differ between libraries; this one repeats. */
+    /** \brief Random numbers for the worlds. Standard distributions differ between libraries; this one is
+        reproducible. */
     class WorldRandom
     {
     public:

@@ -45,31 +45,33 @@
 
 namespace ompl_mfa::anytime
 {
-    /** \brief Wall with a gap, double enclosure, dividing walls and random boxes: unit cubes of 2 to 16 dimensions. */
+    /** \brief Wall with a gap, double enclosure, dividing walls and random boxes in unit cubes of 2 to 16
+        dimensions. */
     std::vector<World> boxWorlds();
 
-    /** \brief Unit squares full of discs whose shortest path squeezes through a gap that is easily missed. */
+    /** \brief Unit squares full of discs, whose shortest path passes through a narrow gap. */
     std::vector<World> circleWorlds();
 
-    /** \brief Length of the shortest path of the circle world of \e seed that keeps \e margin away from its discs. */
+    /** \brief Length of the shortest path in the circle world of \e seed with a distance of at least \e margin to its
+        discs. */
     double circleOptimum(std::uint64_t seed, double margin);
 
-    /** \brief Planar arms of 7 and 12 links that have to fold to get past discs. Angles in radians. */
+    /** \brief Planar arms of 7 and 12 links that have to fold to pass discs. Angles in radians. */
     std::vector<World> armWorlds();
 
-    /** \brief Every config of SE(2) or SE(3) in \e folder, named \e prefix and the file's stem; none where there is no
-        such folder. Throws InputError for a config that cannot be read. */
+    /** \brief All configs of SE(2) or SE(3) in \e folder, named by \e prefix and the file's stem; none if there is no
+        such folder. Throws InputError for an invalid config. */
     std::vector<World> configWorlds(const std::filesystem::path &folder, const std::string &prefix);
 
-    /** \brief Those of the five sample problems of OMPL.app that \e folder holds. */
+    /** \brief Those of the five sample problems of OMPL.app found in \e folder. */
     std::vector<World> omplAppWorlds(const std::filesystem::path &folder);
 
-    /** \brief The whole suite in its order: worlds of this project and, where they are found, the problems of OMPL.app
-        (in $OMPL_MFA_OMPLAPP_DIR or ../shared/omplapp beside the project). */
+    /** \brief All worlds in order: those of this project and, if found, the problems of OMPL.app (in
+        $OMPL_MFA_OMPLAPP_DIR or ../shared/omplapp next to the project). */
     std::vector<World> allWorlds();
 
-    /** \brief The worlds whose name contains a match of \e pattern. Throws InputError for a pattern that is not a
-        regular expression or matches nothing. */
+    /** \brief The worlds whose name contains a match of \e pattern. Throws InputError for an invalid regular expression
+        or one that matches nothing. */
     std::vector<World> selectWorlds(const std::string &pattern);
 }  // namespace ompl_mfa::anytime
 

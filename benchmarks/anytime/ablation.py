@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""What each part of MFA contributes: the runs of its variants that ompl_mfa_anytime made, two tables in Markdown.
+"""Contribution of each part of MFA: two Markdown tables of the runs of its variants by ompl_mfa_anytime.
 
-The first has median final costs above the best cost known, in %. The second has median times in ms to the nearest of 1, 5 and
-10% above it that the median run of the whole planner reaches, or to the first solution. Against the column of the whole
-planner, + marks a variant that is better and - one that is worse (Mann-Whitney, two-sided, p < 0.05). The last line has how
-often a run of the variant is worse than one of the whole planner, the mean over the worlds (0.5: no difference), and
-whether that is by chance (Wilcoxon, signed ranks of the worlds, two-sided). --results writes both
-tables as CSV files."""
+The first has median final costs above the best known cost, in %. The second has median times in ms to the lowest of 1,
+5 and 10% above it that the median run of the whole planner reaches, or to the first solution. + marks a variant that is
+better and - one that is worse than the whole planner (Mann-Whitney, two-sided, p < 0.05). The last lines are the
+probability that a run of the variant is worse than one of the whole planner, averaged over the worlds (0.5: no
+difference), and its significance (Wilcoxon, signed ranks of the worlds, two-sided). --results writes both tables as CSV
+files."""
 
 import argparse
 import math
@@ -21,13 +21,13 @@ SIGNIFICANT = 0.05
 
 
 def finite(values, others):
-    """The values, those that are infinite as larger than all others; None where nothing is finite."""
+    """The values with infinite ones replaced by a number larger than all others; None if none is finite."""
     known = [value for value in [*values, *others] if math.isfinite(value)]
     return [min(value, 2 * max(known) + 1) for value in values] if known else None
 
 
 def mark(values, whole):
-    """How the values of a variant (less is better) compare with those of the whole planner."""
+    """Comparison of the values of a variant (lower is better) with those of the whole planner."""
     a, b = finite(values, whole), finite(whole, values)
     if a is None or set(a) == set(b) or mannwhitneyu(a, b, alternative="two-sided").pvalue >= SIGNIFICANT:
         return ""
@@ -35,19 +35,19 @@ def mark(values, whole):
 
 
 def worse_share(values, whole):
-    """The share of pairs of a run of the variant and one of the whole planner in which the former is worse."""
+    """Fraction of the pairs of a run of the variant and one of the whole planner in which the former is worse."""
     pairs = [(value, other) for value in values for other in whole]
     return sum((value > other) + 0.5 * (value == other) for value, other in pairs) / len(pairs)
 
 
 def mean_share(shares):
-    """Mean of the shares of all worlds, and p."""
+    """Mean of these fractions over all worlds, and p."""
     differences = [share - 0.5 for share in shares if share != 0.5]
     return sum(shares) / len(shares), wilcoxon(differences).pvalue if differences else 1.0
 
 
 def overall(shares):
-    """The same as text."""
+    """The result of mean_share() as text."""
     if not shares:
         return ""
     mean, chance = mean_share(shares)
@@ -55,12 +55,12 @@ def overall(shares):
 
 
 def final_cost(best, _):
-    """Of a run, and how to write it."""
+    """A quantity of a run and its format."""
     return lambda run: run.cost, lambda cost: f"{100 * (cost / best - 1):.2f}" if math.isfinite(cost) else "no path"
 
 
 def time_to_level(best, whole):
-    """The same for the time to the nearest level that the median of these runs reaches."""
+    """As above, for the time to the lowest level that the median of these runs reaches."""
     costs = [best * (1 + LEVELS[level]) for level in ("1pct", "5pct", "10pct")] + [math.inf]
     level = next((cost for cost in costs if math.isfinite(median([run.time_to(cost) for run in whole]))), math.inf)
     return lambda run: run.time_to(level), lambda time: f"{1000 * time:.4g}" if math.isfinite(time) else "never"
@@ -72,7 +72,7 @@ class Comparison:
     def __init__(self, runs, references, whole, quantity):
         self.whole = whole
         self.variants = list(dict.fromkeys([whole, *(run.planner for run in runs)]))
-        # of each world, a median and a mark a variant; None where there are no runs of it
+        # per world, a median and a mark for each variant; None if it has no runs
         self.cells = {}
         self.texts = {}
         self.shares = {variant: [] for variant in self.variants}
@@ -93,7 +93,7 @@ class Comparison:
 
 
 def table(comparison):
-    """Header and lines of the table, the last two of which sum up each variant."""
+    """Header and rows of the table; the last two rows summarise each variant."""
     lines = []
     for world, cells in comparison.cells.items():
         lines.append([world, *("" if cell is None else " ".join([comparison.texts[world](cell[0]), cell[1]]).strip()
@@ -105,7 +105,7 @@ def table(comparison):
 
 
 def write_results(final, time, folder):
-    """ablation.csv with a row a world and variant, and ablation_summary.csv with a row a variant."""
+    """ablation.csv with a row per world and variant, and ablation_summary.csv with a row per variant."""
     words = {"": "", "-": "worse", "+": "better"}
     records = []
     for world, cells in final.cells.items():

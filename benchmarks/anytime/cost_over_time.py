@@ -1,4 +1,4 @@
-"""Runs of ompl_mfa_anytime, and what is made of them: medians with intervals, best costs, best peers."""
+"""Runs of ompl_mfa_anytime and their statistics: medians with intervals, best costs, best peers."""
 
 import json
 import math
@@ -12,19 +12,19 @@ from scipy.stats import binom
 LEVELS = {"10pct": 0.10, "5pct": 0.05, "1pct": 0.01, "01pct": 0.001}
 TARGETS = ["first", *LEVELS]
 OWN = re.compile(r"^(mfa|fa)(_paper)?(:|$)")
-# run for its first solutions only: it stops at them
+# stops at its first solution
 FIRST_ONLY = {"rrtconnect"}
 REFERENCES = pathlib.Path(__file__).with_name("references.jsonl")
 
 
 def median(sample):
-    """The mean of the two middle values of an even number, infinite if one of them is."""
+    """The median; infinite if one of its middle values is."""
     return statistics.median(sample)
 
 
 def order_statistic_interval(sample, confidence=0.95):
-    """The narrowest symmetric pair of order statistics that covers the median with the given confidence, whatever the
-    distribution, and its coverage. Fewer than six values have none: then it is their range, which covers less."""
+    """Distribution-free confidence interval of the median: the narrowest symmetric pair of order statistics with the
+    given confidence, and its coverage. For fewer than six values it is their range, which has a lower coverage."""
     ordered = sorted(sample)
     n = len(ordered)
     rank = 1
@@ -38,7 +38,7 @@ def geometric_mean(values):
 
 
 class Run:
-    """One run: its cost over time on the chosen clock, and its path."""
+    """One run, with its cost over time on the chosen clock."""
 
     def __init__(self, record, clock):
         self.world = record["world"]
@@ -46,7 +46,7 @@ class Run:
         self.seed = record["seed"]
         self.limit = record["time_limit"]
         self.status = record["status"]
-        # a run whose planner crashed, never returned or returned a path that fails its check has found nothing
+        # a run whose planner crashed, never returned or returned an invalid path has no solution
         self.success = self.status == "returned" and record["solved"] and record["valid"]
         self.invalid = self.status == "returned" and record["solved"] and not record["valid"]
         self.overrun = record[clock] > self.latest()
@@ -57,12 +57,11 @@ class Run:
         self.curve = self.read_curve(record, clock) if self.success else []
 
     def latest(self):
-        """Planners notice the end of their time late; what comes later than this comes too late."""
+        """Planners overrun their time limit slightly; later improvements do not count."""
         return 1.1 * self.limit + 0.05
 
     def read_curve(self, record, clock):
-        """(time, cost) of each improvement. What a planner claims to have counts as far as the path that it returns
-        bears it out."""
+        """(time, cost) of each improvement. Reported costs below that of the returned path are replaced by it."""
         column = 1 if clock == "cpu" else 0
         curve = [(entry[column], max(entry[2], self.cost)) for entry in record["improvements"]]
         curve.append((record[clock], self.cost))
@@ -103,13 +102,13 @@ class Row:
         return self.median["1pct"] / self.floor if math.isfinite(self.floor) else math.nan
 
     def best_peer(self, target):
-        """Of the others that are not our own; None where there is none that can be meant."""
+        """The peer that reaches the target first; None if no peer counts for this target."""
         peers = [peer for peer in self.peers if target == "first" or peer.planner not in FIRST_ONLY]
         return min(peers, key=lambda peer: peer.median[target], default=None)
 
     def speedup(self, target):
-        """How much sooner than the best peer, and "", ">" or "<" for how exactly that is known: who does not arrive
-        counts as if at the time limit. None where neither arrives."""
+        """Time of the best peer divided by that of this planner, and "", ">" or "<" if it is exact or a bound: a
+        planner that does not reach the target counts with the time limit. None if neither does."""
         peer = self.best_peer(target)
         if peer is None or math.isinf(self.median[target]) and math.isinf(peer.median[target]):
             return None
@@ -117,7 +116,7 @@ class Row:
         return min(peer.median[target], peer.limit) / min(self.median[target], self.limit), bound
 
     def first_ratio(self):
-        """Time to the first solution against the faster of RRT-Connect and BIT*; None where neither has one."""
+        """Time to the first solution divided by that of the faster of RRT-Connect and BIT*; None if neither has one."""
         quick = [peer.median["first"] for peer in self.peers if peer.planner in ("rrtconnect", "bitstar")]
         fastest = min(quick, default=math.inf)
         return self.median["first"] / fastest if math.isfinite(fastest) else None
@@ -133,7 +132,7 @@ def read_lines(path):
 
 
 def read_runs(paths, clock, worlds):
-    """The runs of journals, whose first lines name the campaign."""
+    """The runs of journals, whose first lines are headers."""
     runs = [Run(record, clock) for path in paths for record in read_lines(path)
             if "campaign" not in record and re.search(worlds, record["world"])]
     if not runs:
@@ -142,12 +141,13 @@ def read_runs(paths, clock, worlds):
 
 
 def read_references(path=REFERENCES):
-    """The best cost known of each world: exact where geometry gives it, else of a path that is stored with it."""
+    """The best known cost of each world: the exact optimum if it is known from geometry, otherwise that of a stored
+    path."""
     return {record["world"]: record for record in read_lines(path)} if path.exists() else {}
 
 
 def update_references(runs, source, path=REFERENCES):
-    """Stores the best path of each world that has no exact optimum, where it is better than what is stored."""
+    """Stores the best path of each world without an exact optimum, if it is better than the stored one."""
     references = read_references(path)
     for run in runs:
         known = references.get(run.world)
@@ -168,8 +168,8 @@ def group(runs, key):
 
 
 def best_cost(reference, runs):
-    """The exact optimum where it is known. Motions are checked at discrete states, so that a path may cut corners and
-    be a little shorter; were that the best cost, all who keep out of the obstacles would be judged by it."""
+    """The exact optimum if it is known. A path may be slightly shorter by cutting corners between the checked states,
+    and must not become the reference for paths that do not."""
     if reference and not reference["path"]:
         return reference["cost"]
     return min([reference["cost"] if reference else math.inf] + [run.cost for run in runs])

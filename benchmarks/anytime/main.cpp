@@ -68,6 +68,8 @@ namespace
         std::filesystem::path runs{"anytime-runs.jsonl"};
         std::filesystem::path csv;
         std::filesystem::path markdown;
+        std::filesystem::path results;
+        std::string curves;
         bool fresh{false};
         bool updateReferences{false};
     };
@@ -107,7 +109,7 @@ namespace
         }
     }
 
-    /* Replaces this process by the statistics, which are Debian's scipy. */
+    /* Replaces this process by report.py, which needs Debian's python3-scipy. */
     [[noreturn]] void report(const Options &options)
     {
         const std::string script = OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/report.py";
@@ -120,6 +122,14 @@ namespace
         if (!options.markdown.empty())
         {
             arguments.insert(arguments.end(), {"--markdown", options.markdown.string()});
+        }
+        if (!options.results.empty())
+        {
+            arguments.insert(arguments.end(), {"--results", options.results.string()});
+        }
+        if (!options.curves.empty())
+        {
+            arguments.insert(arguments.end(), {"--curves", options.curves});
         }
         if (options.updateReferences)
         {
@@ -167,6 +177,10 @@ namespace
             ->capture_default_str();
         command.add_option("--csv", options.csv, "write a row a world and planner to this file");
         command.add_option("--markdown", options.markdown, "write the tables to this file");
+        auto *results = command.add_option("--results", options.results,
+                                           "write planners.csv, worlds.csv, summary.csv and curves.csv to this folder");
+        command.add_option("--curves", options.curves, "regular expression that selects the worlds of curves.csv")
+            ->needs(results);
     }
 
     int parseAndRun(int argc, char **argv)

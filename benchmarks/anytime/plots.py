@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Cost over time in a few telling worlds, drawn from the tables that report.py wrote: plots.py RESULTS SVG
+"""Plots of cost over time in selected worlds, from the tables of report.py: plots.py RESULTS SVG
 
-Where curves.csv has a world, its lines are median costs and its bands their intervals. Where it has not, steps are
-drawn from planners.csv: with an odd number of runs the median cost is at most 10% above the best from the median time to
-10% on, and so forth; bars are the intervals of these times. Markers on the upper edge are first paths, whatever they
-cost. Drawn are our planner and the peers that are the best of a world at something."""
+For a world in curves.csv, lines are median costs and bands their intervals. For others, steps are drawn from
+planners.csv: with an odd number of runs the median cost is at most 10% above the best after the median time to 10%, and
+so forth; bars are the intervals of these times. Markers on the upper edge are first paths of any cost. Drawn are MFA
+and those peers that are the best of the world in one of the measures."""
 
 import argparse
 import math
@@ -28,7 +28,8 @@ TICKS = [0.1, 1, 5, 10, 100]
 
 
 def shown(rows):
-    """Of the rows of one world, ours and those of peers that are first at some target or end with the least cost."""
+    """Of the rows of one world, those of MFA and of peers that reach some target first or have the lowest final
+    cost."""
     peers = [row for row in rows if not OWN.match(row["planner"])]
     best = set()
     for column in [*(f"{target}_ms" for target in TARGETS), "final_pct"]:
@@ -40,7 +41,8 @@ def shown(rows):
 
 
 def steps(row, limit_ms):
-    """Corners (ms, %) of what the times to each level say of the median cost. The first path may cost anything."""
+    """Corners (ms, %) of the upper bound on the median cost given by the times to each level. The first path may have
+    any cost."""
     corners = []
     for target, level in [("first", MOST), *((target, 100 * LEVELS[target]) for target in LEVELS)]:
         time = value_of(row[f"{target}_ms"])
@@ -56,7 +58,7 @@ def draw_steps(axes, row, limit_ms, style):
     corners = steps(row, limit_ms)
     first_only = row["planner"] in FIRST_ONLY
     if len(corners) > 1 and not first_only:
-        # between the first path and the first level that it reaches, the tables do not say what it costs
+        # the tables do not give the cost between the first path and the first level reached
         axes.plot(*zip(*corners[:2]), **{**style, "linewidth": 1.0, "linestyle": ":"})
         axes.plot(*zip(*corners[1:]), drawstyle="steps-post", **style)
         axes.plot(*corners[-1], "D", color=style["color"], markersize=4, clip_on=False, zorder=style["zorder"])
@@ -72,7 +74,7 @@ def draw_steps(axes, row, limit_ms, style):
 
 def draw_curve(axes, curve, style):
     times = [value_of(point["time_ms"]) for point in curve]
-    # a cost is at least drawn at the lower edge, and one that is infinite beyond the upper one
+    # costs are clamped to the lower edge; infinite ones lie beyond the upper edge
     low, middle, high = ([min(max(value_of(point[column]), LEAST), 10 * MOST) for point in curve]
                          for column in ("low_pct", "median_pct", "high_pct"))
     axes.plot(times, middle, **style)
@@ -99,7 +101,7 @@ def draw_world(axes, world, rows, curves):
 
 
 def draw(results, names):
-    """A figure with a panel a world; None where the tables have none of them."""
+    """A figure with a panel per world; None if the tables contain none of them."""
     worlds = {row["world"]: row for row in read_records(results / "worlds.csv")}
     planners, curves = read_records(results / "planners.csv"), read_records(results / "curves.csv")
     names = [name for name in names if name in worlds]

@@ -33,12 +33,12 @@ def ratio(value):
 
 
 def percent_above(row):
-    """The median of the final costs above the best cost known."""
+    """Median final cost above the best known cost, in %."""
     return f"{excess(row.cost, row.best):.2f}" if math.isfinite(row.cost) else "-"
 
 
 def world_cells(row, interval):
-    """A line of the table of one world."""
+    """A row of the table of one world."""
     times = [with_interval(row, target) if interval else milliseconds(row.median[target]) for target in TARGETS]
     floors = row.floors_to_1pct()
     return [row.planner, f"{row.successes}/{len(row.runs)}", *times, percent_above(row),
@@ -54,7 +54,7 @@ SUMMARY_HEADER = ["world", "1%: own", "best peer", "", "speed", "0.1%: own", "be
 
 
 def summary_cells(row):
-    """A line of the table that holds one of our planners against the best peer of each world."""
+    """A row of the table that compares one variant of MFA with the best peer of each world."""
     cells = [row.world]
     for target in ("1pct", "01pct"):
         peer = row.best_peer(target)
@@ -68,7 +68,7 @@ def summary_cells(row):
 
 
 def verdicts(own):
-    """What the geometric means say about one planner, worlds where it is behind included."""
+    """Summary of one planner: geometric means of the speed-up, and the worlds in which it is behind."""
     lines = []
     for target in ("1pct", "01pct"):
         known = [(row, row.speedup(target)) for row in own if row.speedup(target)]
@@ -87,7 +87,7 @@ def verdicts(own):
 
 
 def own_planners(rows):
-    """The rows of each of our planners that has peers to be held against."""
+    """The rows of each variant of MFA that has peers to be compared with."""
     names = dict.fromkeys(row.planner for row in rows if row.is_own())
     return {name: own for name in names
             if (own := [row for row in rows if row.planner == name and row.best_peer("1pct")])}

@@ -9,7 +9,7 @@ import re
 
 from cost_over_time import TARGETS, median, order_statistic_interval
 
-# Worlds whose cost over time is drawn: of each kind one, and with own_slalom one where the planner is behind for long.
+# Worlds whose cost over time is drawn: one of each kind, and own_slalom, where MFA is behind for most of the time.
 TELLING = ["circles_narrow_2d_7", "double_enclosure_2d_1", "random_boxes_8d_2", "arm_7_1", "own_slalom",
            "omplapp_Barriers"]
 POINTS_A_DECADE = 16
@@ -17,7 +17,7 @@ EARLIEST = 1e-4
 
 
 def number(value):
-    """As it stands in a file: six digits, empty where nothing is known."""
+    """The value as text: six digits, empty if unknown."""
     if isinstance(value, float):
         return "" if math.isnan(value) else f"{value:.6g}"
     return "" if value is None else str(value)
@@ -62,7 +62,8 @@ def world_record(row, clock):
 
 
 def comparison_record(row):
-    """One of our planners against the best peer of a world. A peer that does not arrive has no name."""
+    """Comparison of one variant of MFA with the best peer of a world. A peer that does not reach the target has no
+    name."""
     record = {"world": row.world, "planner": row.planner}
     for target in ("1pct", "01pct"):
         peer = row.best_peer(target)
@@ -75,18 +76,18 @@ def comparison_record(row):
 
 
 def cost_at(run, time):
-    """The cost of the best path that a run had at a time."""
+    """Cost of the best path of a run at a time."""
     return min((cost for reached, cost in run.curve if reached <= time), default=math.inf)
 
 
 def curve_records(row):
-    """Median cost over time with its interval, at times that are evenly spaced in their logarithm."""
+    """Median cost over time with its interval, at logarithmically spaced times."""
     steps = math.floor(POINTS_A_DECADE * math.log10(row.limit / EARLIEST))
     times = [row.limit * 10 ** (-k / POINTS_A_DECADE) for k in range(steps, -1, -1)]
     for time in times:
         costs = [cost_at(run, time) for run in row.runs]
         low, high, _ = order_statistic_interval(costs)
-        # nothing is drawn of times when not even the interval's better end has a path
+        # times at which even the lower end of the interval is infinite are left out
         if math.isfinite(low):
             yield {"world": row.world, "planner": row.planner, "time_ms": 1000 * time,
                    "median_pct": excess(median(costs), row.best), "low_pct": excess(low, row.best),
@@ -94,7 +95,7 @@ def curve_records(row):
 
 
 def write_records(records, path):
-    """One CSV file of records with the same keys. Without records there is no file, and an old one goes."""
+    """Writes one CSV file of records with the same keys. Without records an existing file is removed."""
     path.unlink(missing_ok=True)
     if not records:
         return
@@ -105,7 +106,7 @@ def write_records(records, path):
 
 
 def read_records(path):
-    """The rows of such a file as text; none if there is no file."""
+    """The rows of such a file as text; empty if there is no file."""
     if not path.exists():
         return []
     with open(path, encoding="utf-8", newline="") as lines:
@@ -117,7 +118,7 @@ def value_of(text):
 
 
 def write_results(rows, own, folder, clock, curves="|".join(TELLING)):
-    """All tables of a campaign: planners.csv, worlds.csv, summary.csv, and curves.csv of the worlds that match."""
+    """Writes all tables of a campaign: planners.csv, worlds.csv, summary.csv, and curves.csv of the selected worlds."""
     folder.mkdir(parents=True, exist_ok=True)
     write_records([planner_record(row) for row in rows], folder / "planners.csv")
     first_rows = {row.world: row for row in reversed(rows)}

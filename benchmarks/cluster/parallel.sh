@@ -1,13 +1,12 @@
 #!/bin/bash
-# Runs a campaign in SHARDS parts with GNU Parallel, on this machine or on several, and joins the parts.
+# Runs a campaign in SHARDS shards with GNU Parallel, on this machine or on several, and joins them.
 #
 #   parallel.sh CONFIG.cfg FOLDER SHARDS [OPTIONS OF GNU PARALLEL...]
 #
-# FOLDER gets part-I.log for each part, the joblog, and campaign.log in the end. Called again, it goes on where it was
-# stopped: finished parts are not started again, unfinished ones only make the runs that they miss.
-# For several machines: --sshlogin 2/alpha,2/beta (FOLDER, CONFIG and the program have to be there under the same
-# paths, as on a shared file system). One part a time and machine (--jobs 1) measures best.
-# OMPL_MFA names the program, if it is not in the PATH.
+# Writes part-I.log for each shard, the joblog, and finally campaign.log to FOLDER. Called again, it continues: finished
+# shards are not started again, unfinished ones only make the missing runs. For several machines: --sshlogin
+# 2/alpha,2/beta (FOLDER, CONFIG and the program need the same paths everywhere, as on a shared file system). One shard
+# at a time per machine (--jobs 1) gives the most accurate times. OMPL_MFA names the program, if it is not in the PATH.
 set -euo pipefail
 
 if [ $# -lt 3 ] || [ ! -f "$1" ] || ! [ "$3" -gt 0 ] 2>/dev/null; then

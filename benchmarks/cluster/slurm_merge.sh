@@ -1,5 +1,5 @@
 #!/bin/bash
-# Joins the parts that slurm.sh left in FOLDER into campaign.log: sbatch --dependency=afterok:JOB slurm_merge.sh FOLDER
+# Joins the shards of slurm.sh in FOLDER into campaign.log: sbatch --dependency=afterok:JOB slurm_merge.sh FOLDER
 #SBATCH --job-name=ompl_mfa_merge
 #SBATCH --cpus-per-task=1
 set -euo pipefail

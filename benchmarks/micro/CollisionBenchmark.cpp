@@ -34,9 +34,9 @@
 
 /* Author: the ompl_mfa authors */
 
-/* Nanoseconds of one validity check, one clearance and one motion in each kind of world, beside what plain FCL takes
-   for the same objects at the same poses: a program that calls fcl::collide and fcl::distance on placed objects,
-   through FCL's broadphase where the world has several.
+/* Times of one validity check, one clearance and one motion in each kind of world, compared with plain FCL for the same
+   objects at the same poses: fcl::collide and fcl::distance on placed objects, through FCL's broadphase if the world
+   has several.
 
    micro_collision [--benchmark_filter=...]; OMPL_MFA_OMPLAPP_DIR names the folder of OMPL.app's problems, if any. */
 
@@ -60,7 +60,8 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        // The same for every benchmark of a world: uniform states, and motions of a share of the space between them.
+        // Samples for all benchmarks of a world: uniform states, and motions over a fraction of the distance between
+        // them.
         class Samples
         {
         public:
@@ -108,7 +109,7 @@ namespace ompl_mfa::collision
             std::vector<ob::State *> states_;
         };
 
-        // The world as a user of FCL alone would hold it.
+        // The world as in a program that uses FCL only.
         class PlainFcl
         {
         public:
@@ -216,7 +217,7 @@ namespace ompl_mfa::collision
                 });
         }
 
-        // Motions that start valid, as planners ask for them.
+        // Motions that start at a valid state, as in planners.
         void registerMotions(const World &world, double share, double fraction)
         {
             const auto samples = std::make_shared<Samples>(world, share);

@@ -109,7 +109,7 @@ namespace ompl_mfa::collision
             return scene;
         }
 
-        // A ball with bumps: a closed surface of 2 * rings * sectors triangles.
+        // A bumpy ball: a closed surface of 2 * rings * sectors triangles.
         TriangleMesh bumpyBall(double radius, std::size_t rings, std::size_t sectors)
         {
             TriangleMesh mesh;

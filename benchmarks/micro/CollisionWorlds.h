@@ -56,8 +56,8 @@ namespace ompl_mfa::collision
         std::shared_ptr<FclStateValidityChecker> checker;
     };
 
-    /** \brief Worlds of each kind: the paper's scene; primitives; meshes; an occupancy map; and, where `omplAppFolder`
-        is there, OMPL.app's problems. */
+    /** \brief Worlds of each kind: the paper's scene; primitives; meshes; an occupancy map; and, if `omplAppFolder`
+        exists, OMPL.app's problems. */
     std::vector<World> makeWorlds(const std::string &omplAppFolder);
 }  // namespace ompl_mfa::collision
 

@@ -34,9 +34,9 @@
 
 /* Author: the ompl_mfa authors */
 
-/* How far the distance between two primitives can be trusted: FCL's solvers beside our own, over random pairs of each
-   two kinds. A distance is wrong for certain by as much as it exceeds a proven upper bound: two points of the shapes
-   that are this close. Prints the table of docs/collision.md.
+/* Accuracy of the distance between two primitives by FCL's solvers and by this library, over random pairs of each two
+   kinds. The distance of any two points of the shapes is a proven upper bound; a distance is wrong at least by the
+   amount by which it exceeds this bound. Prints the table of docs/collision.md.
 
    distance_accuracy [PAIRS] */
 
@@ -66,7 +66,7 @@ namespace ompl_mfa::collision
             fcl::Transform3d poseB;
         };
 
-        // Primitives of size around 1, some in each other and some apart.
+        // Primitives of size around 1, some overlapping and some disjoint.
         class RandomPairs
         {
         public:
@@ -104,7 +104,7 @@ namespace ompl_mfa::collision
             std::mt19937_64 random_{7};
         };
 
-        // One way to find distances: what it got wrong, and how long it took.
+        // Error and time of one method.
         struct Tally
         {
             double error{0.};

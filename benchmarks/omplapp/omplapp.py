@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs OMPL.app's sample problems and prints their table, beside the reference; --docs writes it into docs/benchmarks.md.
+"""Runs OMPL.app's sample problems and prints a table with the reference; --docs writes it into docs/benchmarks.md.
 
 omplapp.py PROBLEMS OUTPUT [--program PROGRAM] [--planners a,b,c] [--time-limit S] [--runs N] [--table-only] [--docs FILE]
 
@@ -28,7 +28,7 @@ FIRST_SOLUTION = {"Barriers": 0.32, "RandomPolygons": 0.007, "cubicles": 0.37, "
 
 
 def write_config(problem, arguments):
-    """The problem section as OMPL.app wrote it, with planners and limits of our own."""
+    """OMPL.app's problem section with other planners and limits."""
     source = os.path.join(arguments.problems, problem + ".cfg")
     with open(source) as file:
         section = file.read().split("[benchmark]")[0]
@@ -44,7 +44,7 @@ def write_config(problem, arguments):
 
 
 def read_log(path):
-    """Name of the experiment, and for each planner its runs as dictionaries."""
+    """Name of the experiment, and the runs of each planner as dictionaries."""
     with open(path) as file:
         lines = iter(file.read().split("\n"))
     planners = {}

@@ -86,7 +86,7 @@ namespace ompl_mfa::oracle
             return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
         }
 
-        /** \brief An obstacle grown by the robot: what the robot's centre may touch but not enter. */
+        /** \brief An obstacle grown by the robot, which the robot's centre may touch but not enter. */
         struct Grown
         {
             Points vertices;

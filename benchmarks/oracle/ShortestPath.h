@@ -44,7 +44,7 @@
 
 namespace ompl_mfa::oracle
 {
-    /* The exact optimum that planners in the plane are held against. Use it as
+    /* The exact optimum for comparison with planners in the plane. Usage:
 
            oracle::Scene scene;
            scene.obstacles = {oracle::disc({5.0, 5.0}, 1.5), oracle::rectangle({10.0, 8.0}, {2.0, 4.0}, 0.3)};
@@ -55,9 +55,9 @@ namespace ompl_mfa::oracle
 
        and link ompl_mfa_oracle. The method is a visibility graph of common tangents: every obstacle, grown by the
        robot, is bounded by circular arcs and straight edges, and a shortest path consists of segments tangent to two
-       such arcs and of pieces of the arcs themselves (Chew, "Planning the shortest path for a disc in O(n^2 log n)
-       time", 1985). There is no discretisation: the length is exact but for rounding and a contact tolerance of 1e-8 m.
-     */
+       such arcs and of sections of the arcs themselves (Chew, "Planning the shortest path for a disc in O(n^2 log n)
+       time", 1985). There is no discretisation: the length is exact except for rounding and a contact tolerance of 1e-8
+       m. */
 
     using Point = Eigen::Vector2d;
     using Points = std::vector<Point, Eigen::aligned_allocator<Point>>;
@@ -84,7 +84,7 @@ namespace ompl_mfa::oracle
         std::vector<Obstacle> obstacles;
         /** \brief Radius of the disc robot (m); 0 is a point. */
         double robotRadius{0.0};
-        /** \brief The box that the robot's centre may not leave. */
+        /** \brief Bounds of the robot's centre. */
         Point lower{Point::Constant(-1e6)};
         Point upper{Point::Constant(1e6)};
     };
@@ -93,9 +93,9 @@ namespace ompl_mfa::oracle
     {
         /** \brief Exact length (m); infinite when start and goal are not connected. */
         double length;
-        /** \brief Polyline from start to goal, empty when they are not connected. Arcs are replaced by tangent
-            polygons of at most 0.02 rad a piece: it touches obstacles without entering them, and is longer than
-            \e length by less than 4e-5 of the arcs' length. */
+        /** \brief Polyline from start to goal, empty when they are not connected. Arcs are replaced by tangent polygons
+            of at most 0.02 rad per segment: it touches obstacles without entering them, and is longer than \e length by
+            less than 4e-5 of the arcs' length. */
         Points path;
     };
 

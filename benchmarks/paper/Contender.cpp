@@ -51,7 +51,7 @@ namespace ompl_mfa::paper
         using Alpha = FireflyOptimizer::AlphaSchedule;
         using Beta = FireflyOptimizer::BetaSchedule;
 
-        /** \brief The generations that BUDGET pays for when each costs N - 1 evaluations. */
+        /** \brief Number of generations within BUDGET if each costs N - 1 evaluations. */
         unsigned int affordableGenerations(unsigned int populationSize)
         {
             return static_cast<unsigned int>((BUDGET - populationSize) / (populationSize - 1));
@@ -75,13 +75,13 @@ namespace ompl_mfa::paper
             else
             {
                 settings.trialVectors.at(static_cast<std::size_t>(std::stoi(algorithm.substr(5)) - 8)) = false;
-                // What the trial vector would have cost pays for further generations.
+                // The evaluations saved without the trial vector are used for further generations.
                 settings.generations = 60;
             }
             return settings;
         }
 
-        /** \brief Settings of a firefly algorithm, its epoch stretched to the whole budget. */
+        /** \brief Settings of a firefly algorithm, with its epoch extended to the whole budget. */
         FireflyOptimizer::Settings fireflySettings(const std::string &algorithm)
         {
             FireflyOptimizer::Settings settings;
@@ -113,7 +113,7 @@ namespace ompl_mfa::paper
             }
             else if (algorithm == "fa_long")
             {
-                // FA is better off when everyone attracts everyone: MFA shall not win by a gamma that hurts FA.
+                // FA performs better if all fireflies attract each other; a larger gamma would favour MFA.
                 settings.gamma = 0.005;
             }
             settings.generations = affordableGenerations(settings.populationSize);

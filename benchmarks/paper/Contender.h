@@ -47,10 +47,10 @@
 
 namespace ompl_mfa::paper
 {
-    /** \brief What every algorithm may spend: MFA's evaluations with 100 fireflies and 50 generations, at most. */
+    /** \brief Maximum number of evaluations of every algorithm: that of MFA with 100 fireflies and 50 generations. */
     constexpr std::uint64_t BUDGET = 100 + 50 * 599;
 
-    /** \brief How one run went. */
+    /** \brief Result of one run. */
     struct Run
     {
         Brightness best;
@@ -58,25 +58,25 @@ namespace ompl_mfa::paper
         std::uint64_t evaluations{0};
         double seconds{0.0};
 
-        /** \brief When the cost first came to the target: evaluations (0 for never) and seconds. */
+        /** \brief Evaluations (0 for never) and seconds until the cost first reached the target. */
         std::uint64_t evaluationsToTarget{0};
         double secondsToTarget{0.0};
 
-        /** \brief Best cost so far after each hundredth of the budget; infinite while nothing was feasible. */
+        /** \brief Best cost so far after each hundredth of the budget; infinite before the first feasible one. */
         std::vector<double> trace;
 
         /** \brief The final population of a firefly algorithm, d x N. */
         Eigen::MatrixXd population;
     };
 
-    /** \brief The algorithms that run over any objective: fa, mfa, the firefly variants and pagmo's. */
+    /** \brief The algorithms for any objective: fa, mfa, the firefly variants and pagmo's. */
     const std::vector<std::string> &contenders();
 
-    /** \brief MFA with one of its parts left out: no_eq8, ..., no_eq12, no_trials, no_eq13, no_eq14. */
+    /** \brief MFA with one of its components left out: no_eq8, ..., no_eq12, no_trials, no_eq13, no_eq14. */
     const std::vector<std::string> &ablations();
 
     /** \brief Runs one of contenders() or ablations() over the box until BUDGET evaluations are spent. \e target is a
-        cost. Throws std::invalid_argument for another name. */
+        cost. Throws std::invalid_argument for an unknown name. */
     Run runContender(const std::string &algorithm, ObjectiveFunction &objective, const Eigen::VectorXd &lower,
                      const Eigen::VectorXd &upper, double target, std::uint64_t seed);
 }  // namespace ompl_mfa::paper

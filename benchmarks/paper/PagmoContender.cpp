@@ -58,9 +58,8 @@ namespace ompl_mfa::paper
         constexpr unsigned int POPULATION = 100;
         constexpr unsigned int GENERATIONS = (BUDGET - POPULATION) / POPULATION;
 
-        /** \brief Above every feasible cost in the study, so that adding it to the violation keeps the order of
-         * brightness.
-         */
+        /** \brief Above every feasible cost in the study, so that its sum with the violation keeps the order of
+            brightness. */
         constexpr double INFEASIBLE = 1e9;
 
         class BudgetSpent : public std::exception
@@ -154,7 +153,7 @@ namespace ompl_mfa::paper
         }
         catch (const BudgetSpent &)
         {
-            // The recorder holds the result.
+            // The recorder has the result.
         }
     }
 }  // namespace ompl_mfa::paper

@@ -48,8 +48,8 @@ namespace ompl_mfa::paper
     /** \brief ga (pagmo's sga), pso, de, sade, cmaes, abc (bee_colony) and gwo. */
     bool isPagmoContender(const std::string &algorithm);
 
-    /** \brief Runs the algorithm with 100 individuals on the unit cube scaled to the box until \e recorder is spent.
-       One that stops by itself, having converged, starts again with a new random population. */
+    /** \brief Runs the algorithm with 100 individuals on the unit cube scaled to the box until the budget of \e
+        recorder is spent. An algorithm that has converged restarts with a new random population. */
     void runPagmo(const std::string &algorithm, Recorder &recorder, const Eigen::VectorXd &lower,
                   const Eigen::VectorXd &upper, unsigned int seed);
 }  // namespace ompl_mfa::paper

@@ -95,7 +95,7 @@ namespace ompl_mfa::paper
     PlanarCollision::Interval PlanarCollision::crossing(const Grown &obstacle, const Point &from, const Point &step)
     {
         // In the rectangle's frame the grown obstacle is two crossed rectangles and four discs at the corners; it is
-        // convex, so that the crossing is one interval.
+        // convex, so the intersection is one interval.
         const Point toFrom = from - obstacle.centre;
         const auto turn = [&](const Point &v)
         { return Point(obstacle.axis.dot(v), obstacle.axis.x() * v.y() - obstacle.axis.y() * v.x()); };
@@ -151,7 +151,7 @@ namespace ompl_mfa::paper
         {
             return 0.0;
         }
-        // More than this many at once on one segment do not occur in the study's scenes; the rest would count double.
+        // No segment of the study's scenes crosses more obstacles; overlaps with further ones would count twice.
         std::array<Interval, 16> crossings;
         std::size_t count = 0;
         for (const auto &obstacle : obstacles_)
@@ -185,7 +185,7 @@ namespace ompl_mfa::paper
         {
             return false;
         }
-        // A short segment across the point: crossing() answers for the obstacle's interior.
+        // A short segment across the point: crossing() tests the obstacle's interior.
         return std::all_of(obstacles_.begin(), obstacles_.end(),
                            [&point](const Grown &obstacle)
                            {

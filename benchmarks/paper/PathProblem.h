@@ -60,15 +60,15 @@ namespace ompl_mfa::paper
         Point goal;
     };
 
-    /** \brief Exact collisions of the disc robot's centre with discs and rectangles grown by its radius: no
-        discretisation, the same geometry as the oracle that computes the optimum. */
+    /** \brief Exact collisions of the disc robot's centre with discs and rectangles grown by its radius, without
+        discretisation. The geometry is that of the oracle, which computes the optimum. */
     class PlanarCollision
     {
     public:
         /** \brief Throws std::invalid_argument for an obstacle that is neither a disc nor a rectangle. */
         explicit PlanarCollision(const oracle::Scene &scene);
 
-        /** \brief The length of the part of the segment that lies within an obstacle (m). */
+        /** \brief The length of the segment within obstacles (m). */
         double invalidLength(const Point &from, const Point &to) const;
 
         bool isValid(const Point &point) const;
@@ -93,8 +93,8 @@ namespace ompl_mfa::paper
         Point upper_;
     };
 
-    /** \brief Path length over m - 1 fixed slices (section III.C): the unknowns are lateral offsets (m) from the
-       straight line, one on each slice, within the bounds of the scene. The violation is the length in collision. */
+    /** \brief Path length over m - 1 fixed slices (section III.C): the unknowns are the lateral offsets (m) from the
+        straight line, one per slice, within the bounds of the scene. The violation is the length in collision. */
     class PathProblem : public ObjectiveFunction
     {
     public:
@@ -117,8 +117,8 @@ namespace ompl_mfa::paper
         /** \brief Start, one point on each slice, and goal. */
         Points path(const Eigen::Ref<const Eigen::VectorXd> &x) const;
 
-        /** \brief The shortest collision-free path that has its vertices on the slices, to \e resolution offsets a
-           slice: what no algorithm over these slices can be much better than. Infinite if there is none. */
+        /** \brief The shortest collision-free path that has its vertices on the slices, with \e resolution offsets per
+            slice: approximately a lower bound for algorithms over these slices. Infinite if there is none. */
         double sliceOptimum(unsigned int resolution) const;
 
         const PlanarCollision &collision() const

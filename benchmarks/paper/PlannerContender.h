@@ -42,12 +42,11 @@
 
 namespace ompl_mfa::paper
 {
-    /** \brief Runs the planner ompl_mfa::MFA as it comes, with all its parts, on the exact collisions of the scene,
-       until it has checked as many motions as BUDGET paths over \e slices slices have, or proved its path optimal. An
-        evaluation is that many motion checks. Run::path is the planner's path.
+    /** \brief Runs the planner ompl_mfa::MFA with all its parts and default parameters on the exact collisions of the
+        scene, until it has checked as many motions as BUDGET paths over \e slices slices have, or proved its path
+        optimal. The motion checks of one such path count as an evaluation. Run::path is the planner's path.
 
-        Seeds OMPL's random number generators and makes some, and so repeats itself only as the first in the life of a
-        process. */
+        Seeds OMPL's random number generators and makes some, so it is repeatable only as the first run of a process. */
     struct PlannerRun
     {
         Run run;

@@ -43,7 +43,7 @@
 
 namespace ompl_mfa::paper
 {
-    /** \brief Passes evaluations on and writes down how the best so far develops. */
+    /** \brief Forwards evaluations and records the best cost over their number. */
     class Recorder : public ObjectiveFunction
     {
     public:
@@ -57,7 +57,7 @@ namespace ompl_mfa::paper
             return run_.evaluations >= BUDGET;
         }
 
-        /** \brief The run so far, its trace filled up to the whole budget. */
+        /** \brief The run so far, with its trace extended to the whole budget. */
         Run finish();
 
     private:

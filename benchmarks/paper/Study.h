@@ -42,7 +42,7 @@
 
 namespace ompl_mfa::paper
 {
-    /** \brief Where the study reads and writes, and how much of it runs. */
+    /** \brief Input and output of the study, and what is run. */
     struct StudyOptions
     {
         std::string worldFile;
@@ -51,15 +51,15 @@ namespace ompl_mfa::paper
         unsigned int seededRuns{10};
         unsigned int functionRuns{6};
         unsigned int sliceRuns{10};
-        /** \brief Runs at the same time. */
+        /** \brief Number of simultaneous runs. */
         unsigned int jobs{2};
-        /** \brief Makes only the runs that the journals in the folder do not have. */
+        /** \brief Makes only the runs missing in the journals of the folder. */
         bool resume{false};
-        /** \brief Drops the journals of an interrupted study. */
+        /** \brief Discards the journals of an interrupted study. */
         bool overwrite{false};
     };
 
-    /** \brief A signal has stopped the study. */
+    /** \brief Thrown if a signal has stopped the study. */
     class Interrupted : public std::runtime_error
     {
     public:
@@ -93,7 +93,7 @@ namespace ompl_mfa::paper
     /** \brief How the result depends on the number of slices: slices.csv. */
     void studySlices(const StudyOptions &options);
 
-    /** \brief Test functions: functions.csv, and populations.csv for eq. (19). */
+    /** \brief Optimization of test functions: functions.csv, and populations.csv for eq. (19). */
     void studyFunctions(const StudyOptions &options);
 }  // namespace ompl_mfa::paper
 

@@ -59,7 +59,8 @@ namespace ompl_mfa::paper
             unsigned int run;
         };
 
-        /** \brief Every coordinate of the optimum moves down by 5 to 15 % of the cube's edge, other each run. */
+        /** \brief Shifts every coordinate of the optimum down by 5 to 15 % of the cube's edge, differently in each
+            run. */
         Eigen::VectorXd drawShift(const Job &job)
         {
             const TestFunction function(job.function, job.dimension);
@@ -107,7 +108,8 @@ namespace ompl_mfa::paper
             return std::max(0.0, run.best.cost - optimum);
         }
 
-        /** \brief The populations of Figs. 5 and 6: for each algorithm the run of median share near the optimum. */
+        /** \brief The populations of Figs. 5 and 6: for each algorithm the run with the median share of fireflies near
+            the optimum. */
         void writePopulations(const StudyOptions &options)
         {
             auto out = openTable(options, "populations.csv", "algorithm,run,share,x,y");

@@ -187,7 +187,7 @@ namespace ompl_mfa::paper
             return outcome;
         }
 
-        /** \brief What decides a run on a scene beside the program. */
+        /** \brief Text of the scene file: the input that determines a run. */
         std::string textOf(const std::string &file)
         {
             std::ifstream in(file, std::ios::binary);

@@ -78,7 +78,7 @@ namespace ompl_mfa::paper
             {
                 campaign::Work work;
                 work.state = campaign::makeShared<campaign::RunState>();
-                // Evaluations are what a run may spend, not time.
+                // Runs are limited by evaluations instead of time.
                 work.limits.prepare = std::numeric_limits<double>::infinity();
                 work.body = [make] { return campaign::jsonLine(make()); };
                 work.report = [name](const RunProcess &process)

@@ -53,26 +53,26 @@ namespace ompl_mfa::paper
     /** \brief One run of the study. */
     struct StudyRun
     {
-        /** \brief By which it is known in the journal of its part. */
+        /** \brief Identifies the run in its journal. */
         Json key;
-        /** \brief Called in a process of its own; what it returns comes back. */
+        /** \brief Called in a separate process, which passes back the result. */
         std::function<Json()> make;
     };
 
-    /** \brief Makes the runs of a part of the study that its journal PART.journal in the folder of the output does not
-        have, and returns all of them in their order. \e identity is what decides them beside their keys.
+    /** \brief Makes those runs of a section of the study that are missing in its journal PART.journal in the output
+        folder, and returns all runs in order. \e identity is the input, besides their keys, that determines them.
 
         Throws std::runtime_error for a run that does not return, and Interrupted. */
     std::vector<Json> makeStudyRuns(const StudyOptions &options, const std::string &part, const std::string &identity,
                                     const std::vector<StudyRun> &runs);
 
-    /** \brief A CSV file in the folder of the output, with its header. Throws InputError when it cannot be written. */
+    /** \brief A CSV file in the output folder, with its header. Throws InputError if it cannot be written. */
     std::ofstream openTable(const StudyOptions &options, const std::string &name, const std::string &header);
 
-    /** \brief A number as it is, infinite or no number at all included. */
+    /** \brief A number as JSON, also if it is infinite or NaN. */
     Json numberToJson(double value);
 
-    /** \brief The number that numberToJson() was given. */
+    /** \brief Reverse of numberToJson(). */
     double numberFrom(const Json &value);
 }  // namespace ompl_mfa::paper
 

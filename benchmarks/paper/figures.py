@@ -16,7 +16,7 @@ from tables import Study
 
 COLOURS = {"ga": "#1f77b4", "fa": "#d95f02", "mfa": "#1b7837", "abc": "#7b3294", "sade": "#666666", "fa_long": "#e6ab02",
            "mfa_default": "#e7298a"}
-# The first drawn is the widest, so that it shows where another lies upon it.
+# The first drawn is the widest, so that it remains visible under another one.
 WIDTHS = {"ga": 5.0, "fa": 2.8, "mfa": 1.8}
 ROBOT_RADIUS = 0.3
 BUDGET = 30050
@@ -38,7 +38,7 @@ def surface(folder):
     x, y = numpy.meshgrid(grid, grid)
     figure = plt.figure(figsize=(7.5, 5.2))
     axes = figure.add_subplot(projection="3d")
-    # Without antialiasing: it would leave a light seam around each of the small faces.
+    # Antialiasing would leave a light seam around each of the small faces.
     axes.plot_surface(x, y, sinc(x, y), cmap="viridis", linewidth=0, antialiased=False, rcount=241, ccount=241,
                       rasterized=True)
     axes.set_box_aspect(None, zoom=0.8)
@@ -82,7 +82,7 @@ def points_by(folder, name, keys):
 
 
 def grown(vertices):
-    """Outline of the points that are no farther than the robot's radius from a convex polygon."""
+    """Outline of a convex polygon grown by the robot's radius."""
     corners = numpy.array(vertices)
     area = numpy.sum(numpy.cross(corners, numpy.roll(corners, -1, axis=0)))
     corners = corners if area > 0.0 else corners[::-1]
@@ -124,7 +124,7 @@ class Scene:
         axes.plot(*zip(*self.optima[scene,]), color="black", linestyle="--", linewidth=1.2, **style)
 
     def ranked(self, scene, algorithm):
-        """Numbers of the runs, the best first; a run is named by its place in the table, from 1."""
+        """Numbers of the runs, the best first; runs are numbered by row in the table, from 1."""
         costs = [merit(run) for run in self.runs[scene, algorithm]]
         return [str(i + 1) for i in numpy.argsort(costs, kind="stable")]
 

@@ -1,4 +1,4 @@
-"""Reads what ompl_mfa_paper_study wrote."""
+"""Reads the tables of ompl_mfa_paper_study."""
 
 import csv
 import math
@@ -33,7 +33,7 @@ ABLATIONS = {
 
 
 def read(folder, name):
-    """The rows of a table; a table of the planner's own runs is appended where there is one."""
+    """The rows of a table, followed by those of the table of the planner's runs, if there is one."""
     rows = []
     for prefix in ("", "planner_"):
         path = os.path.join(folder, prefix + name)
@@ -75,7 +75,7 @@ def scenes_of(folder):
 
 
 def merit(run):
-    """One number to rank runs by: every collision-free path before every colliding one, then the shorter one."""
+    """A number to rank runs by: every collision-free path before every colliding one, then by length."""
     if run["violation"] == 0.0 and math.isfinite(run["cost"]):
         return run["cost"]
     return 1e6 + min(run["violation"], 1e6)

@@ -19,7 +19,7 @@ from runs import ABLATIONS, ALGORITHMS, feasible_costs, merit, read, runs_of, sc
 PAPER_TABLE = {"ga": (29.83, 31.19), "fa": (29.58, 30.84), "mfa": (28.46, 29.82)}
 PAPER_SCENES = ["paper_1", "paper_2", "paper_3", "paper_4"]
 COLUMNS = ["runs", "shortest", "mean", "median", "worst", "sd", "feasible_share", "evaluations", "optimum"]
-# Of wall times only medians are kept, and in this file alone: all the others are the same after every run.
+# Only this file contains wall times, as medians: all others are reproducible.
 COLUMNS_TO_1_PERCENT = ["share_to_1_percent", "evaluations_to_1_percent", "seconds_to_1_percent"]
 
 
@@ -35,7 +35,8 @@ def holm(p_values):
 
 
 def compare(a, b):
-    """Mann-Whitney's two-sided p, and Vargha and Delaney's A: how often a run of a is better than one of b."""
+    """Mann-Whitney's two-sided p, and Vargha and Delaney's A: the probability that a run of a is better than one of
+    b."""
     a, b = [merit(run) for run in a], [merit(run) for run in b]
     if set(a) == set(b) and len(set(a)) == 1:
         return 1.0, 0.5
@@ -246,7 +247,7 @@ class Study:
         return markdown(header + ["change of the mean (m)", "p (Wilcoxon, Holm)"], rows)
 
     def pooled(self, algorithm):
-        """Excess of every run on the paper's scenes; a colliding path counts as 10 m."""
+        """Excess length of every run on the paper's scenes; a colliding path counts as 10 m."""
         return numpy.array(
             [
                 min(10.0, merit(run) - self.scenes[scene]["optimum"])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the worlds and robots of benchmarks/configs, except the paper's scene, beside this file.
+"""Writes the worlds and robots of benchmarks/configs, except the paper's scene, to the folder of this file.
 
 Each is drawn from a fixed seed: running this again changes nothing. Lengths are metres.
 """
@@ -15,14 +15,14 @@ class Mesh:
     """Triangles of closed bodies, written as Wavefront OBJ."""
 
     def __init__(self, planar=False):
-        """Bodies of a planar world have a floor at half their height as well: a mesh is a surface, and a robot that
-        moves in the plane would not touch it from wholly inside."""
+        """Bodies of a planar world also have a floor at half their height: a mesh is a surface, and a planar robot
+        entirely inside would not touch it."""
         self.planar = planar
         self.vertices = []
         self.triangles = []
 
     def prism(self, outline, z_min, z_max):
-        """The body over a star-shaped polygon, whose corners are given counter-clockwise."""
+        """A prism over a star-shaped polygon with counter-clockwise corners."""
         first = len(self.vertices)
         count = len(outline)
         centre = (sum(x for x, _ in outline) / count, sum(y for _, y in outline) / count)
@@ -43,7 +43,7 @@ class Mesh:
         self.prism([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], z0, z1)
 
     def octahedron(self, centre, axes):
-        """The hull of centre +- axis for three axes."""
+        """The convex hull of centre +- axis for three axes."""
         first = len(self.vertices)
         for axis in axes:
             for sign in (1, -1):
@@ -85,7 +85,7 @@ def wall(identity, x0, y0, x1, y1):
 
 
 def circle_field():
-    """Discs drawn one after another, each where it leaves a gap of at least 0.12 to the others and to both ends."""
+    """Random discs, each with a gap of at least 0.12 to the others, to the start and to the goal."""
     draw = random.Random(20)
     discs = []
     ends = [(0.5, 0.5), (9.5, 9.5)]
@@ -112,7 +112,7 @@ def box_field():
 
 
 def dividing_walls():
-    """Walls across the way, each with one wide gap far off the straight line and one narrow gap near it."""
+    """Walls between start and goal, each with one wide gap far off the straight line and one narrow gap near it."""
     draw = random.Random(3)
     objects = []
     for number, x in enumerate((2.0, 4.0, 6.0, 8.0)):
@@ -156,7 +156,7 @@ def bubbles():
 
 
 def rooms():
-    """A floor of rooms for an L-shaped robot: doors that it passes straight, turned, or not at all."""
+    """Rooms for an L-shaped robot, with doors that it passes straight, rotated, or not at all."""
     world = Mesh(planar=True)
     height = (0.0, 1.0)
 
@@ -198,7 +198,7 @@ def rooms():
 
 
 def slalom():
-    """Staggered plates that a long bar passes only by turning between them."""
+    """Staggered plates that a long bar passes by rotating between them."""
     world = Mesh(planar=True)
     for corners in ((0, -0.2, 16, 0), (0, 8, 16, 8.2), (-0.2, -0.2, 0, 8.2), (16, -0.2, 16.2, 8.2)):
         world.box((corners[0], corners[1], 0), (corners[2], corners[3], 1))
@@ -212,7 +212,7 @@ def slalom():
 
 
 def street():
-    """Two rows of parked cars with one free place: parallel parking."""
+    """Parallel parking: two rows of parked cars with one free space."""
     world = Mesh(planar=True)
     draw = random.Random(2)
     world.box((-0.2, -0.4, 0), (30.2, 0, 1))
@@ -250,7 +250,8 @@ def yard():
 
 
 def windows():
-    """Three walls across the way, each with windows of other sizes and places; the plank has to turn for most."""
+    """Three walls between start and goal, with windows of different sizes and positions; the plank has to rotate for
+    most of them."""
     world = Mesh()
     openings = {
         4.0: [((1.0, 5.5), (3.4, 6.1)), ((6.2, 1.2), (7.8, 2.8))],

@@ -54,7 +54,7 @@ namespace ompl_mfa::benchmark
 {
     namespace
     {
-        /* "-nan" and "-inf" end ompl_benchmark_statistics; a separator inside a value would shift all columns. */
+        /* "-nan" and "-inf" make ompl_benchmark_statistics fail; a separator inside a value would shift all columns. */
         std::string cleanValue(const std::string &value)
         {
             double number = 0.0;
@@ -83,7 +83,7 @@ namespace ompl_mfa::benchmark
             out << "<<<|\n" << text << (text.empty() || text.back() == '\n' ? "" : "\n") << "|>>>\n";
         }
 
-        /* Significant digits of the header's numbers. */
+        /* Significant digits of numbers in the header. */
         constexpr int DIGITS = 10;
 
         void writeHeader(std::ostream &out, const BenchmarkLog &log)

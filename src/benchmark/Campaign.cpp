@@ -75,7 +75,7 @@ namespace ompl_mfa::benchmark
             }
         }
 
-        /* What is left of a run that has not handed back a record. */
+        /* The record of a run that returned none, from its shared state. */
         RunRecord salvageRun(const RunProcess &process, const RunState &state)
         {
             RunRecord record;
@@ -142,7 +142,7 @@ namespace ompl_mfa::benchmark
             return limits;
         }
 
-        /* What the journal keeps of run \e run of \e planner, whose process is over. */
+        /* The record of run \e run of \e planner for the journal, after its process has ended. */
         RunRecord recordOf(const RunProcess &process, const RunState &state, const CampaignPlanner &planner,
                            unsigned int run, std::uint32_t seed)
         {
@@ -304,7 +304,8 @@ namespace ompl_mfa::benchmark
         {
             for (std::size_t turn = 0; turn < planners; ++turn)
             {
-                // The turn by one planner a run spreads each planner over all parts when planners divides shards.
+                // Rotating the order by one planner per run gives every shard runs of each planner, even if the number
+                // of shards is a multiple of the number of planners.
                 all.emplace_back((turn + planners - run % planners) % planners, run);
             }
         }

@@ -63,7 +63,7 @@ namespace ompl_mfa::benchmark
             {
                 const auto status = static_cast<ob::PlannerStatus::StatusType>(i);
                 std::string name = ob::PlannerStatus(status).asString();
-                // OMPL has no words for its newer values, and Planner Arena needs different ones.
+                // OMPL has no names for its newer values, and Planner Arena needs distinct ones.
                 if (i > ob::PlannerStatus::CRASH && name == ob::PlannerStatus().asString())
                 {
                     name = status == ob::PlannerStatus::ABORT ? "Abort" : "Infeasible";
@@ -80,7 +80,8 @@ namespace ompl_mfa::benchmark
                 {"Returned", "Exception", "Process exited", "Signal", "Time limit enforced", "Memory limit enforced"}};
         }
 
-        /* Planner Arena joins runs and progress, and draws the wrong one of two columns with the same name. */
+        /* Planner Arena joins the tables of runs and progress, and draws the wrong one of two columns with the same
+           name. */
         void renameProgressDuplicates(const std::set<std::string> &progressNames, LogProperties &run)
         {
             for (const std::string &name : progressNames)

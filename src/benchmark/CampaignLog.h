@@ -55,22 +55,22 @@ namespace ompl_mfa::benchmark
         std::vector<RunRecord> records;
     };
 
-    /** \brief The header of the journal of \e campaign on this machine; its description holds what a log says of a
-        whole campaign. */
+    /** \brief The header of the journal of \e campaign on this machine; its description is the part of a log that
+        concerns the whole campaign. */
     OMPL_MFA_EXPORT campaign::JournalHeader makeJournalHeader(const Campaign &campaign);
 
-    /** \brief Reads a journal. Throws InputError when \e file is none of `ompl_mfa benchmark`. */
+    /** \brief Reads a journal. Throws InputError if \e file is not a journal of `ompl_mfa benchmark`. */
     OMPL_MFA_EXPORT CampaignRuns readCampaignRuns(const std::filesystem::path &file);
 
-    /** \brief What a log says of a whole campaign, as makeJournalHeader() put it into \e description: all but start,
-        duration, and what comes from runs; of the planners the names. Throws std::invalid_argument for anything else.
-     */
+    /** \brief The properties of a whole campaign that makeJournalHeader() stored in \e description: all except start,
+        duration and the data of runs; of the planners only the names. Throws std::invalid_argument for any other JSON
+        value. */
     OMPL_MFA_EXPORT BenchmarkLog logHeadFrom(const campaign::Json &description);
 
     /** \brief As an object for the header of a journal. */
     OMPL_MFA_EXPORT campaign::Json toJson(const BenchmarkLog &logHead);
 
-    /** \brief The log of \e runs, whatever their order. */
+    /** \brief The log of \e runs, which may be in any order. */
     OMPL_MFA_EXPORT BenchmarkLog assembleLog(const CampaignRuns &runs);
 }  // namespace ompl_mfa::benchmark
 

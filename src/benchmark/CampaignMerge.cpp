@@ -78,11 +78,11 @@ namespace ompl_mfa::benchmark
             }
         }
 
-        /* All runs, those of each planner in their order. */
+        /* All runs, sorted by planner and run number. */
         std::vector<RunRecord> joinRecords(const std::vector<CampaignRuns> &parts, const BenchmarkLog &head,
                                            const std::vector<std::string> &names, bool allowMissing)
         {
-            // Planner and run, and which record of which part that is.
+            // (planner, run) -> (index of the shard, record).
             std::map<std::pair<std::string, unsigned int>, std::pair<std::size_t, const RunRecord *>> places;
             for (std::size_t part = 0; part < parts.size(); ++part)
             {
@@ -148,7 +148,7 @@ namespace ompl_mfa::benchmark
             return joined;
         }
 
-        /* The journal that stands beside a log, or the file itself. */
+        /* The journal of a log, or the file itself. */
         std::filesystem::path journalOf(const std::string &part)
         {
             std::filesystem::path beside = Campaign::journalFile(part);

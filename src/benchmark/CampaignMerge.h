@@ -47,18 +47,18 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief Joins the parts of one campaign. \e names stand for the parts in messages.
+    /** \brief Joins the shards of one campaign. \e names are the names of the shards in messages.
 
-        Throws InputError when the parts are not of the same campaign, when two of them have the same run of a planner,
-        or when runs are missing after all of them, unless \e allowMissing. */
+        Throws InputError if the shards are not of the same campaign, if two of them have the same run of a planner, or
+        if runs are missing, unless \e allowMissing. */
     OMPL_MFA_EXPORT CampaignRuns mergeRuns(const std::vector<CampaignRuns> &parts,
                                            const std::vector<std::string> &names, bool allowMissing = false);
 
-    /** \brief Joins \e parts, which are journals or logs with their journals beside them, into the log \e output and
-        its journal, and returns that log.
+    /** \brief Joins \e parts, which are journals or logs with a journal, into the log \e output and its journal, and
+        returns that log.
 
-        Throws InputError as mergeRuns() does, when a journal cannot be read, when the result cannot be written, and
-        when \e output has a journal of another campaign. */
+        Throws InputError as mergeRuns() does, if a journal cannot be read, if the result cannot be written, and if \e
+        output has a journal of another campaign. */
     OMPL_MFA_EXPORT BenchmarkLog mergeCampaign(const std::vector<std::string> &parts,
                                                const std::filesystem::path &output, bool allowMissing);
 }  // namespace ompl_mfa::benchmark

@@ -54,7 +54,8 @@ namespace ompl_mfa::benchmark
             return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
         }
 
-        /* The texts of the config and of world and robot: a campaign with another mesh is another campaign. */
+        /* The texts of the config, the world and the robot, so that a campaign with a changed mesh counts as a
+           different one. */
         std::string identityOf(const BenchmarkConfig &config)
         {
             std::string identity = fileText(config.file);

@@ -74,7 +74,7 @@ namespace ompl_mfa::benchmark
             }
         }
 
-        /* Reads one file; the members are what its lines said so far. */
+        /* Reads one file; the members hold what has been read so far. */
         class ConfigParser
         {
         public:
@@ -207,7 +207,7 @@ namespace ompl_mfa::benchmark
                 config_.planners.push_back(spec);
             }
 
-            /* A parameter goes to the last instance of its type, as in OMPL.app, or makes one. */
+            /* A parameter belongs to the last instance of its type, as in OMPL.app; if there is none, one is made. */
             void addParameter(const std::string &type, const ConfigEntry &parameter)
             {
                 auto spec = std::find_if(config_.planners.rbegin(), config_.planners.rend(),
@@ -260,7 +260,7 @@ namespace ompl_mfa::benchmark
                 entries.push_back(entry);
             }
 
-            /* Planner Arena groups runs by the planner's name: two planners with one name would become one. */
+            /* Planner Arena groups runs by the planner's name, so names have to be unique. */
             void namePlanners()
             {
                 std::map<std::string, std::string> origins;
@@ -467,7 +467,8 @@ namespace ompl_mfa::benchmark
                 failAt(problem_.at("objective"), "a weighted objective needs one of " + keys);
             }
 
-            /* A run keeps its samples, and those of a planner that returns early go on to the time limit. */
+            /* Bounds the memory of a run's samples, which are continued to the time limit if the planner returns
+               early. */
             void checkCampaign()
             {
                 constexpr double USUAL_SAMPLES = 1e5;
@@ -488,12 +489,12 @@ namespace ompl_mfa::benchmark
             BenchmarkConfig config_;
             Section problem_;
             Section benchmark_;
-            /* Context written before the first planner; it is that planner's. */
+            /* Context given before the first planner, to which it belongs. */
             ContextConfig pendingContext_;
             Section pendingSection_;
             /* The entries of the context of each planner. */
             std::vector<Section> contexts_;
-            /* Index of the planner that the latest line was about; context goes to it. */
+            /* Index of the planner of the latest line, to which context belongs. */
             std::size_t last_{0};
         };
     }  // namespace

@@ -53,7 +53,7 @@ namespace ompl_mfa::benchmark
     {
         constexpr std::uint64_t LARGEST_WHOLE = std::numeric_limits<std::uint32_t>::max();
 
-        /* How a text becomes a value and back, and what it may be. */
+        /* Conversion of a text to a value and back, and a description of the accepted values. */
         template <typename Value>
         struct ValueType
         {
@@ -124,7 +124,7 @@ namespace ompl_mfa::benchmark
                     [words](Value value) { return wordOf(words, value); }};
         }
 
-        /* A text that is taken as it is: where it is used is found out whether it can be. */
+        /* A text that is not checked before its use. */
         ValueType<ConfigEntry> file(const std::string &accepted)
         {
             return {accepted, [](const ConfigEntry &entry) { return entry; },
@@ -149,7 +149,7 @@ namespace ompl_mfa::benchmark
             place = Given<Value>{value, entry};
         }
 
-        /* The place of a value in a config: a member, or what a function of the config and the key's index returns. */
+        /* Reference to a value in a config: a member, or the result of a function of the config and the key's index. */
         template <typename Config, typename Member>
         decltype(auto) placeIn(Config &config, Member member, std::size_t index)
         {
@@ -178,7 +178,7 @@ namespace ompl_mfa::benchmark
                                  { assign(placeIn(config, member, index), read(entry), entry); }});
             }
 
-            /* The fallback is the value that a new Config has. */
+            /* The fallback is the value in a new Config. */
             template <typename Value, typename Member>
             void add(const std::string &key, const ValueType<Value> &type, Member member, const std::string &meaning)
             {

@@ -49,24 +49,24 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief Keys of a config that are alike: what they accept, what holds without them, what they mean, and where
-       their values go. docs/configs.md has the same rows, and a test compares them. */
+    /** \brief Keys of a config with a common description: accepted values, default, meaning, and setter.
+        docs/configs.md has the same rows, and a test compares them. */
     template <typename Config>
     struct ConfigRow
     {
-        /** \brief As they are written in their section, in lower case. */
+        /** \brief Names within their section, in lower case. */
         std::vector<std::string> keys;
-        /** \brief Type, range or words, as an error says them after "expected". */
+        /** \brief Type, range or keywords, as used in an error after "expected". */
         std::string accepted;
-        /** \brief What holds where the key is not given; "required" where that is an error. */
+        /** \brief The default; "required" if there is none. */
         std::string fallback;
         /** \brief One line, with the unit of the value. */
         std::string meaning;
-        /** \brief Reads the value of the key with this index in keys. Throws InputError, naming what is accepted. */
+        /** \brief Reads the value of the key with this index in `keys`. Throws InputError, naming what is accepted. */
         std::function<void(Config &, std::size_t, const ConfigEntry &)> set;
     };
 
-    /** \brief The rows of [problem] that are the same for all planners. */
+    /** \brief The rows of [problem] that planners cannot override. */
     OMPL_MFA_EXPORT const std::vector<ConfigRow<ProblemConfig>> &problemRows();
 
     /** \brief The rows of [problem] that a planner may override, as `problem.KEY` in [planner]. */
@@ -75,7 +75,7 @@ namespace ompl_mfa::benchmark
     /** \brief The rows of [benchmark]. */
     OMPL_MFA_EXPORT const std::vector<ConfigRow<CampaignConfig>> &campaignRows();
 
-    /** \brief The word that configs have for \e sampler. */
+    /** \brief The keyword of \e sampler in configs. */
     OMPL_MFA_EXPORT std::string samplerName(SamplerKind sampler);
 
     /** \brief All keys of \e rows, in their order. */
@@ -90,7 +90,7 @@ namespace ompl_mfa::benchmark
         return keys;
     }
 
-    /** \brief Sets what \e key stands for in \e config to the value of \e entry; false where no row has \e key. */
+    /** \brief Sets the value of \e key in \e config from \e entry; false if no row has \e key. */
     template <typename Config>
     bool setValue(const std::vector<ConfigRow<Config>> &rows, const std::string &key, const ConfigEntry &entry,
                   Config &config)

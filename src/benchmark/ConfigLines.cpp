@@ -108,7 +108,7 @@ namespace ompl_mfa::benchmark
             {
                 continue;
             }
-            // Names go into logs and JSON documents, which are UTF-8; a comment may be anything.
+            // Names are written to logs and JSON documents, which are UTF-8; comments may contain any bytes.
             if (!isUtf8(line))
             {
                 failAt(origin, "the file is to be UTF-8 text");

@@ -110,7 +110,7 @@ namespace ompl_mfa::benchmark
         {
             failAt(origin, "'~' is the folder that the environment variable HOME names, and it is not set");
         }
-        // What begins with '/' would replace the home folder: '~//a' is '~/a'.
+        // A path that begins with '/' would replace the home folder: '~//a' is '~/a'.
         return std::filesystem::path(home) / rest.substr(std::min(rest.size(), rest.find_first_not_of('/')));
     }
 }  // namespace ompl_mfa::benchmark

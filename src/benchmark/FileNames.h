@@ -44,24 +44,24 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief Bytes that a name may take as part of a file's name: with what logs, parts of campaigns and paths add to
-        it, the whole stays within the 255 bytes that file systems accept. */
+    /** \brief Maximum length in bytes of a name within a file name: with the additions for logs, shards and paths, the
+        whole stays within the 255 bytes that file systems accept. */
     constexpr std::size_t LONGEST_NAME = 100;
 
-    /** \brief \e name as part of a file's name: `/`, `%` and control characters as `%` and two hexadecimal digits, so
-        that no two names become the same and none is a folder. */
+    /** \brief \e name for use within a file name: `/`, `%` and control characters are written as `%` and two
+        hexadecimal digits, so that different names remain different and none contains a folder. */
     OMPL_MFA_EXPORT std::string fileNamePart(const std::string &name);
 
-    /** \brief Whether \e text holds a control character: a byte below 32, or 127. */
+    /** \brief Whether \e text contains a control character: a byte below 32, or 127. */
     OMPL_MFA_EXPORT bool hasControlCharacter(const std::string &text);
 
-    /** \brief Whether \e name can be a file's name as it is: neither empty nor `.` nor `..`, of at most LONGEST_NAME
-        bytes, without `/` and control characters. */
+    /** \brief Whether \e name is a valid file name: neither empty nor `.` nor `..`, at most LONGEST_NAME bytes, without
+        `/` and control characters. */
     OMPL_MFA_EXPORT bool isFileName(const std::string &name);
 
-    /** \brief The path that a user wrote: `~` and `~/...` are in the folder that the environment variable HOME names,
-        as in a shell. Throws InputError "\e origin: ..." for a control character, for `~NAME`, for a folder that is
-        called `~`, and where HOME is needed and not set. */
+    /** \brief Expands a path given by a user: `~` and `~/...` refer to the folder in the environment variable HOME, as
+        in a shell. Throws InputError "\e origin: ..." for a control character, for `~NAME`, for a folder named `~`, and
+        if HOME is needed but not set. */
     OMPL_MFA_EXPORT std::filesystem::path writtenPath(const std::string &path, const std::string &origin);
 }  // namespace ompl_mfa::benchmark
 

@@ -59,8 +59,8 @@ namespace ompl_mfa::benchmark
         constexpr double DENSE_INTERVAL = 0.001;
         const char *const BEST_COST = "best cost REAL";
 
-        /* OMPL 1.5's BIT* walks through its samples to answer these, while its own thread changes them: to ask crashed
-           20 of 60 runs. */
+        /* OMPL 1.5's BIT* iterates over its samples to compute these while the planning thread changes them: polling
+           them crashed 20 of 60 runs. */
         bool isUnsafe(const std::string &name)
         {
             return name == "current free states INTEGER" || name == "current graph vertices INTEGER";
@@ -193,7 +193,7 @@ namespace ompl_mfa::benchmark
             lock.unlock();
             const double time = monotonicSeconds() - start;
             sample(time, time >= sampleTime(index));
-            // A machine under load skips samples rather than falling behind.
+            // Under load, samples are skipped.
             while (sampleTime(index) <= monotonicSeconds() - start)
             {
                 ++index;

@@ -52,39 +52,37 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief A planner as a benchmark sees it: measures one solve() of the planner that it holds.
+    /** \brief Decorator for a planner in a benchmark: measures one solve() of it.
 
-        OMPL's Benchmark looks at a planner's progress every so often, but at one fixed distance for the whole run, and
-        not when the planner returns. This class declares no progress to it and is the only one to look: every
-        millisecond for the first tenth of a second, then at the interval asked for, and once more at the end. It
-        continues the series of a planner that returns early up to the time limit with its last values: curves of
-       several runs are then means over the same runs at every time. A planner that publishes no best cost gets one,
-       known from the moment that it returns.
+        OMPL's Benchmark samples a planner's progress at a fixed interval during the whole run, and not when the planner
+        returns. This class declares no progress properties to it and samples them itself: every millisecond for the
+        first tenth of a second, then at the given interval, and once more at the end. It continues the series of a
+        planner that returns early with its last values up to the time limit, so that means over several runs include
+        the same runs at every time. A planner that publishes no best cost gets one from its return on.
 
-        It overrides what Benchmark and SimpleSetup call and OMPL's own Planner cannot answer; parameters, specs and
-       name are copies. It does not pass clear() on, for it is to solve once. */
+        It overrides those functions called by Benchmark and SimpleSetup that the base class cannot answer; parameters,
+        specs and name are copied. clear() is not passed on, as solve() is called once only. */
     class OMPL_MFA_EXPORT MeasuredPlanner : public ompl::base::Planner
     {
     public:
         struct Settings
         {
-            /** \brief Seconds. OMPL's Benchmark only looks every 0.1 s whether they are over. */
+            /** \brief Seconds. OMPL's Benchmark checks its time limit only every 0.1 s. */
             double timeLimit{5.0};
             /** \brief Seconds between two samples of the progress properties after the first tenth of a second. */
             double progressInterval{0.01};
             /** \brief How often the termination condition may be evaluated before it stops the planner; 0: no limit. */
             std::uint64_t iterationLimit{0};
-            /** \brief Called at the end of solve(), when its time is over, unless the planner threw: the path is still
-                the planner's own then, which Benchmark simplifies before its post-run event. What it leaves allocated
-                counts in Benchmark's `memory REAL`. May be empty. */
+            /** \brief Called at the end of solve(), after time has been measured, unless the planner threw: Benchmark
+                simplifies the path before its post-run event. Memory that it leaves allocated counts in Benchmark's
+                `memory REAL`. May be empty. */
             std::function<void()> solved;
         };
 
-        /** \brief From now on the space information of \e planner counts the calls of its validity checker in \e run.
-         */
+        /** \brief Makes the space information of \e planner count the calls of its validity checker in \e run. */
         MeasuredPlanner(ompl::base::PlannerPtr planner, RunState &run, const Settings &settings);
 
-        /** \brief Copies what has been sampled in solve(), strictly increasing in time. */
+        /** \brief A copy of the samples taken in solve(), strictly increasing in time. */
         std::vector<ProgressSample> progress() const;
 
         /** \brief "words TYPE" for each value of a sample. */
@@ -99,15 +97,15 @@ namespace ompl_mfa::benchmark
         /** \brief Calls of the validity checker in solve(). */
         std::uint64_t collisionChecks() const;
 
-        /** \brief Motions that were checked in solve(). */
+        /** \brief Motions checked in solve(). */
         std::uint64_t motionChecks() const;
 
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
 
-        /** \brief Hands the problem on and sets up the planner. */
+        /** \brief Passes the problem on and sets up the planner. */
         void setup() override;
 
-        /** \brief The planner's own graph. */
+        /** \brief The planner's graph. */
         void getPlannerData(ompl::base::PlannerData &graph) const override;
 
     private:

@@ -67,7 +67,7 @@ namespace ompl_mfa::benchmark
             return objective ? path.cost(objective).value() : path.length();
         }
 
-        /* What OMPL's Benchmark does not tell of the present path. */
+        /* Properties of the current path that OMPL's Benchmark does not record. */
         ot::Benchmark::RunProperties pathProperties(const std::string &prefix, const og::SimpleSetup &setup)
         {
             const PathMetrics metrics = measurePath(setup.getSolutionPath());
@@ -76,8 +76,8 @@ namespace ompl_mfa::benchmark
                     {prefix + "resampled smoothness REAL", ompl::toString(metrics.smoothness)}};
         }
 
-        /* An approximate solution ends somewhere else: its length must not enter the same mean as that of a solution.
-         */
+        /* Renames the properties of an approximate solution, so that its length is not averaged with those of exact
+           solutions. */
         void setApartApproximateSolution(ot::Benchmark::RunProperties &run)
         {
             for (const std::string prefix : {"solution ", "simplified solution "})
@@ -170,7 +170,7 @@ namespace ompl_mfa::benchmark
         const og::SimpleSetupPtr setup = makeProblem();
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
         const ob::PlannerPtr inner = makePlanner(si);
-        // a planner that has to repeat its run may not look at a clock; one that the clock stops anyway may
+        // a seeded planner reads no clock, which is needed only if the run has to be repeatable
         const bool seeded = settings.iterationLimit > 0 && inner->params().hasParam("seed");
         if (seeded)
         {

@@ -48,8 +48,8 @@ namespace ompl_mfa::benchmark
 {
     /** \brief Runs a planner once through OMPL's Benchmark in the calling process and measures the run.
 
-        Seeds OMPL with \e seed before it makes anything, and the planner by its parameter `seed` where it has one.
-        The record has OMPL's own run properties and those that docs/benchmarks.md lists. */
+        Seeds OMPL with \e seed before anything else is made and, with an iteration limit, the planner by its parameter
+        `seed`, if it has one. The record has OMPL's run properties and those listed in docs/benchmarks.md. */
     OMPL_MFA_EXPORT RunRecord measureRun(const ProblemAllocator &makeProblem,
                                          const ompl::base::PlannerAllocator &makePlanner, const RunSettings &settings,
                                          std::uint32_t seed, RunState &state);

@@ -63,7 +63,7 @@ namespace ompl_mfa::benchmark
             return directions;
         }
 
-        /* The axes, for most obstacles stand upright, and a spiral from pole to pole. */
+        /* The axes, as most obstacles are axis-aligned, and a spiral from pole to pole. */
         Directions ball()
         {
             constexpr int COUNT = 200;
@@ -83,7 +83,7 @@ namespace ompl_mfa::benchmark
             return directions;
         }
 
-        /* Looks for valid states of one orientation around one position. */
+        /* Searches for valid states of a given orientation around a position. */
         class OutwardSearch
         {
         public:
@@ -139,7 +139,7 @@ namespace ompl_mfa::benchmark
                 return si_.satisfiesBounds(state_.get()) && si_.isValid(state_.get());
             }
 
-            /* The distance at which the state becomes valid, between one where it is not and one where it is. */
+            /* The distance at which the state becomes valid, by bisection between an invalid and a valid one. */
             double narrowed(const Eigen::Vector3d &direction, double invalid, double valid)
             {
                 constexpr int HALVINGS = 25;
@@ -151,7 +151,7 @@ namespace ompl_mfa::benchmark
                 return valid;
             }
 
-            /* A user writes the coordinates into a config: those with few digits, and a touch is a collision. */
+            /* Rounds the coordinates for use in a config, slightly farther away, as touching counts as a collision. */
             NearbyState written(const Eigen::Vector3d &direction, double distance)
             {
                 constexpr double MARGIN = 1.02;

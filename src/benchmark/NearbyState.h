@@ -46,21 +46,20 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief A valid pose near one that is not. */
+    /** \brief A valid pose near an invalid one. */
     struct NearbyState
     {
-        /** \brief It may be farther than `distance` by a fiftieth, for the sake of coordinates with few digits. */
+        /** \brief Its coordinates have few digits, and it may be farther than `distance` by a fiftieth. */
         ConfigPose pose;
-        /** \brief The least distance at which a position was found to be valid, world units. */
+        /** \brief The least distance at which a valid position was found, world units. */
         double distance{0.0};
     };
 
-    /** \brief The nearest valid state to \e pose, which is not valid, among those of the same orientation, up to the
-        distance \e farthest (above 0, world units); empty where none is found.
+    /** \brief The nearest valid state of the same orientation as \e pose, which is invalid, up to the distance \e
+        farthest (above 0, world units); empty if none is found.
 
-        Positions are tried on circles or spheres of growing radius, in 64 or 206 directions; in the best one the
-        distance is narrowed down. \e si is the space
-        information of a problem of kind \e kind, set up. */
+        Positions are tried on circles or spheres of growing radius, in 64 or 206 directions; in the best direction the
+        distance is refined by bisection. \e si is the space information, set up, of a problem of kind \e kind. */
     OMPL_MFA_EXPORT std::optional<NearbyState> findNearbyState(const ompl::base::SpaceInformation &si,
                                                                StateSpaceKind kind, const ConfigPose &pose,
                                                                double farthest);

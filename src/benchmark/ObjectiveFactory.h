@@ -46,8 +46,8 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief The integral of 1/(1 + clearance) along the path, clearance in world units: it is finite on contact, at
-        most the path's length, and the less the further a path keeps from obstacles. */
+    /** \brief The integral of 1/(1 + clearance) along the path, clearance in world units. It is finite on contact, at
+        most the path's length, and smaller for paths farther from obstacles. */
     class OMPL_MFA_EXPORT ProximityIntegralObjective : public ompl::base::StateCostIntegralObjective
     {
     public:
@@ -56,7 +56,7 @@ namespace ompl_mfa::benchmark
         ompl::base::Cost stateCost(const ompl::base::State *state) const override;
     };
 
-    /** \brief The objective that \e problem names, its threshold set; null where it names none. */
+    /** \brief The objective of \e problem with its threshold; null if it has none. */
     OMPL_MFA_EXPORT ompl::base::OptimizationObjectivePtr makeObjective(const ompl::base::SpaceInformationPtr &si,
                                                                        const ProblemConfig &problem);
 }  // namespace ompl_mfa::benchmark

@@ -43,7 +43,7 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief Measures that only compare between paths whose states lie alike. */
+    /** \brief Measures that are comparable only between paths with equally spaced states. */
     struct PathMetrics
     {
         /** \brief Smallest clearance of a state, in the units of the validity checker's clearance(). */
@@ -52,13 +52,14 @@ namespace ompl_mfa::benchmark
         double smoothness{0.0};
     };
 
-    /** \brief States along \e path at equal distances of at most \e step, both ends included; \e path's own vertices
-        are not kept. Distances are those of the state space; \e step is above 0. At most 5000 motions. */
+    /** \brief States along \e path at equal distances of at most \e step > 0 (in the state space), both ends included;
+        the vertices of \e path are not kept. At most 5000 motions. */
     OMPL_MFA_EXPORT ompl::geometric::PathGeometric resamplePath(const ompl::geometric::PathGeometric &path,
                                                                 double step);
 
     /** \brief Measures \e path resampled at the space's longest valid segment length. PathGeometric::clearance() is a
-        mean over the vertices and smoothness() depends on how far apart they are: neither compares between planners. */
+        mean over the vertices and smoothness() depends on how far apart they are: neither is comparable between
+        planners. */
     OMPL_MFA_EXPORT PathMetrics measurePath(const ompl::geometric::PathGeometric &path);
 }  // namespace ompl_mfa::benchmark
 

@@ -104,7 +104,7 @@ namespace ompl_mfa::benchmark
             return NAMES[static_cast<std::size_t>(type)];
         }
 
-        /* The ends of "first:last" and "first:step:last"; false for lists and for parameters without a range. */
+        /* The limits of "first:last" and "first:step:last"; false for lists and for parameters without a range. */
         bool rangeEnds(const std::string &range, double &first, double &last)
         {
             std::vector<std::string> parts;
@@ -116,8 +116,8 @@ namespace ompl_mfa::benchmark
             return text::readNumber(trimmed(parts.front()), first) && text::readNumber(trimmed(parts.back()), last);
         }
 
-        /* OMPL calls its ranges suggestions, and its own sample configs exceed some of them. What no planner of OMPL
-           can use are negative values where the range has none, and fractions above 1. */
+        /* OMPL's ranges are suggestions, and its own sample configs exceed some of them. Only negative values outside
+           the range and fractions above 1 are invalid for all planners of OMPL. */
         void checkRange(const ConfigEntry &entry, const std::string &range, double value)
         {
             double first = 0.0;
@@ -144,7 +144,7 @@ namespace ompl_mfa::benchmark
             }
         }
 
-        /* The text to hand to OMPL, whose own conversion accepts "12abc" as 12 and "-1" as an unsigned number. */
+        /* The checked text for OMPL, whose own conversion accepts "12abc" as 12 and "-1" as an unsigned number. */
         std::string checkedValue(const ob::GenericParam &parameter, const ConfigEntry &entry)
         {
             const std::string &range = parameter.getRangeSuggestion();
@@ -195,7 +195,7 @@ namespace ompl_mfa::benchmark
             failAt(entry, "unknown parameter of planner '" + spec.type + "'" + text::suggestion(entry.key, names));
         }
 
-        /* Keeps OMPL's warnings from its console for as long as it lives: they would say again what an error says. */
+        /* Suppresses OMPL's warnings during its lifetime: they would repeat the error. */
         class NoWarnings
         {
         public:

@@ -125,7 +125,7 @@ namespace ompl_mfa::benchmark
                     [](const ob::SpaceInformationPtr &si) -> ob::PlannerPtr { return std::make_shared<Planner>(si); }};
         }
 
-        /* Multi-level planners take a sequence of spaces; a config describes one, the sequence of length 1. */
+        /* Multi-level planners take a sequence of spaces; here it has length 1, the space of the config. */
         template <typename Planner>
         PlannerEntry singleLevelEntry(const std::string &title)
         {
@@ -209,7 +209,7 @@ namespace ompl_mfa::benchmark
             table["rrtxstatic"] = entry<og::RRTXstatic>("RRTXstatic");
             table["lbtrrt"] = entry<og::LBTRRT>("LBTRRT");
             table["lazylbtrrt"] = entry<og::LazyLBTRRT>("LazyLBTRRT");
-            // OMPL renames a BIT* that uses k nearest neighbours, as it does by default, to these names
+            // OMPL gives these names to planners of the BIT* family that use k nearest neighbours, the default
             table["bitstar"] = entry<og::BITstar>("kBITstar");
             table["abitstar"] = entry<og::ABITstar>("kABITstar");
             table["aitstar"] = entry<og::AITstar>("AITstar");

@@ -46,24 +46,24 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief A planner as the table knows it. */
+    /** \brief A row of the planner table. */
     struct PlannerEntry
     {
         /** \brief The name in logs. */
         std::string title;
         ompl::base::PlannerAllocator allocate;
-        /** \brief It throws in setup() when the state space has no default projection. */
+        /** \brief setup() throws if the state space has no default projection. */
         bool needsProjection{false};
-        /** \brief It takes a motion from B to A for one from A to B: its paths on Dubins curves fail their check. */
+        /** \brief It treats motions as symmetric, so its paths of Dubins curves are invalid. */
         bool needsSymmetry{false};
-        /** \brief It relies on the triangle inequality: in other spaces it aborts or never returns. */
+        /** \brief It relies on the triangle inequality: in spaces without it, it aborts or never returns. */
         bool needsMetric{false};
     };
 
-    /** \brief Every planner that createPlanner() makes, by the name that configs use. */
+    /** \brief Every planner that createPlanner() can make, by its name in configs. */
     OMPL_MFA_EXPORT const std::map<std::string, PlannerEntry> &plannerTable();
 
-    /** \brief Geometric planners of OMPL that a config cannot describe, with the reason. */
+    /** \brief Geometric planners of OMPL that cannot be used with a config, with the reason. */
     OMPL_MFA_EXPORT const std::map<std::string, std::string> &unavailablePlanners();
 }  // namespace ompl_mfa::benchmark
 

@@ -46,11 +46,11 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief The task space that TSRRT explores: the position in R^n, SE2, SE3 and the car spaces on SE2. */
+    /** \brief Task space for TSRRT: the position in R^n, SE2, SE3, Dubins and Reeds-Shepp spaces. */
     class OMPL_MFA_EXPORT PositionTaskSpace : public ompl::geometric::TaskSpaceConfig
     {
     public:
-        /** \brief Throws ompl::Exception when the space of \e si has no position. */
+        /** \brief Throws ompl::Exception if the space of \e si has no position. */
         explicit PositionTaskSpace(const ompl::base::SpaceInformationPtr &si);
 
         int getDimension() const override;

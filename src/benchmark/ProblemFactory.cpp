@@ -303,8 +303,8 @@ namespace ompl_mfa::benchmark
             return text;
         }
 
-        /* By how much a state collides, and where to it could go: for a slip of the pen, not for a state within an
-           obstacle. */
+        /* By how much a state collides, and a valid state nearby: a hint for slightly wrong coordinates, not for a
+           state deep within an obstacle. */
         std::string describeCollision(const ob::SpaceInformation &si, StateSpaceKind kind, const ConfigPose &pose,
                                       const ob::RealVectorBounds &bounds)
         {

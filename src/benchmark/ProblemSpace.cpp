@@ -61,8 +61,8 @@ namespace ompl_mfa::benchmark
             return space;
         }
 
-        /* R^n that is projected to all of its coordinates. OMPL's own choices are an identity that aborts in 1.5.2 (it
-           takes the size in bytes for the dimension) and, above two dimensions, random directions. */
+        /* R^n with a projection to all of its coordinates. OMPL's defaults are an identity that aborts in 1.5.2 (it
+           confuses the size in bytes with the dimension) and, above two dimensions, random directions. */
         class PositionSpace : public ob::RealVectorStateSpace
         {
         public:

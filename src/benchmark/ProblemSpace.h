@@ -48,10 +48,10 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief 2 or 3: the dimension of the positions in \e kind. */
+    /** \brief Dimension of the positions in \e kind, 2 or 3. */
     OMPL_MFA_EXPORT unsigned int positionDimension(StateSpaceKind kind);
 
-    /** \brief The name that people give to \e kind, such as `SE(2)`. */
+    /** \brief Display name of \e kind, such as `SE(2)`. */
     OMPL_MFA_EXPORT std::string spaceName(StateSpaceKind kind);
 
     /** \brief The state space of \e problem with \e bounds for its positions. */
@@ -62,7 +62,7 @@ namespace ompl_mfa::benchmark
     OMPL_MFA_EXPORT ompl::base::ScopedState<> makeState(const ompl::base::StateSpacePtr &space, StateSpaceKind kind,
                                                         const ConfigPose &pose);
 
-    /** \brief \e pose as messages show it, such as "(1, 2, theta 0.5)". */
+    /** \brief \e pose in the format of messages, such as "(1, 2, theta 0.5)". */
     OMPL_MFA_EXPORT std::string describePose(StateSpaceKind kind, const ConfigPose &pose);
 }  // namespace ompl_mfa::benchmark
 

@@ -48,7 +48,7 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief All that is known of one run. */
+    /** \brief All data of one run. */
     struct RunRecord
     {
         /** \brief Name of the planner in logs, such as geometric_RRTstar. */
@@ -59,37 +59,39 @@ namespace ompl_mfa::benchmark
         RunTermination termination{RunTermination::Unknown};
         /** \brief The signal that ended the process, 0 if none did. */
         int signal{0};
-        /** \brief The last that a run printed which did not return, or what its planner threw. */
+        /** \brief The last output of a run that did not return, or the message of the exception that its planner
+            threw. */
         std::string message;
         LogProperties properties;
         /** \brief Parameters of planner and space, the same for all runs of a planner. */
         LogProperties common;
-        /** \brief What SimpleSetup and planner print about themselves. */
+        /** \brief Printed settings of SimpleSetup and planner. */
         std::string setup;
         std::vector<std::string> progressNames;
         std::vector<ProgressSample> progress;
-        /** \brief States of an exact solution as PathGeometric::printAsMatrix() writes them, when paths are saved. */
+        /** \brief States of an exact solution in the format of PathGeometric::printAsMatrix(), if paths are saved. */
         std::string path;
         /** \brief Cost of `path`. */
         double pathCost{0.0};
-        /** \brief Seconds between the end of the run before it, or the start, and its end; the journal knows them. */
+        /** \brief Seconds from the end of the previous run, or the start, to the end of this one; set by the
+            journal. */
         double duration{0.0};
     };
 
     /** \brief \e record as an object for the journal. */
     OMPL_MFA_EXPORT campaign::Json toJson(const RunRecord &record);
 
-    /** \brief Reads what toJson() made. Throws std::invalid_argument for anything else. */
+    /** \brief Reverse of toJson(). Throws std::invalid_argument for any other JSON value. */
     OMPL_MFA_EXPORT RunRecord runRecordFrom(const campaign::Json &json);
 
     /** \brief toJson() as one line of text, without the line break. */
     OMPL_MFA_EXPORT std::string writeRunRecord(const RunRecord &record);
 
-    /** \brief Reads what writeRunRecord() wrote. Throws std::invalid_argument for anything else. */
+    /** \brief Reverse of writeRunRecord(). Throws std::invalid_argument for any other text. */
     OMPL_MFA_EXPORT RunRecord readRunRecord(const std::string &line);
 
-    /** \brief The name of a property as logs write it. OMPL's BIT* family gives DOUBLE as a type, which makes its best
-        cost another property than that of all other planners; it becomes REAL. */
+    /** \brief The name of a property in logs. The type DOUBLE of OMPL's BIT* family is replaced by REAL; otherwise its
+        best cost would be a different property from that of all other planners. */
     OMPL_MFA_EXPORT std::string logPropertyName(const std::string &name);
 }  // namespace ompl_mfa::benchmark
 

@@ -50,11 +50,10 @@ namespace ompl_mfa::benchmark
     using campaign::RunPhase;
     using campaign::RunTermination;
 
-    /** \brief What is known of a planner while it runs, and after a crash. RunPhase::Solving is the time in its
-     * solve(). */
+    /** \brief Data of a planner available while it runs and after a crash. RunPhase::Solving is its solve(). */
     struct RunState : campaign::RunState
     {
-        /** \brief When the first solution was seen, seconds after solveStart; infinite before. */
+        /** \brief Time at which the first solution was seen, seconds after solveStart; infinite before. */
         std::atomic<double> firstSolution{std::numeric_limits<double>::infinity()};
         /** \brief The last best cost that the planner reported; infinite before the first solution. */
         std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};

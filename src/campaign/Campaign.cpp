@@ -61,7 +61,7 @@ namespace ompl_mfa::campaign
             interruption = number;
         }
 
-        /* Turns the signals that ask a program to end into a note for as long as it lives. */
+        /* Records termination signals during its lifetime instead of letting them end the program. */
         class InterruptionNote
         {
         public:
@@ -101,7 +101,7 @@ namespace ompl_mfa::campaign
             return text;
         }
 
-        /* The one first on which this process is: the scheduler has found it the least busy. */
+        /* The cores this process may use, first its current one, which the scheduler found the least busy. */
         std::deque<int> availableCores()
         {
             cpu_set_t set;
@@ -123,7 +123,7 @@ namespace ompl_mfa::campaign
             return cores;
         }
 
-        /* The cores that runs may take, as many as there may be runs at a time. */
+        /* The cores for runs, one per simultaneous run. */
         std::deque<int> coresFor(const RunOptions &options)
         {
             if (!options.bindToCores)
@@ -151,7 +151,7 @@ namespace ompl_mfa::campaign
             return jsonLine(values);
         }
 
-        /* A campaign that is under way. */
+        /* A campaign in progress. */
         class Execution
         {
         public:
@@ -181,7 +181,7 @@ namespace ompl_mfa::campaign
             std::unique_ptr<RunJournal> journal_;
             std::vector<Active> active_;
             std::unique_ptr<Progress> progress_;
-            /* Seconds and number of the runs of each group that are over. */
+            /* Total seconds and number of the finished runs of each group. */
             std::map<std::string, std::pair<double, unsigned int>> durations_;
             double lastEnd_{0.0};
         };
@@ -204,7 +204,7 @@ namespace ompl_mfa::campaign
                 std::make_unique<Progress>(options_.progress, options_.terminal, total, total - pending_.size());
         }
 
-        /* Leaves only those tasks pending whose runs are not in the journal. */
+        /* Keeps only those tasks pending whose runs are not in the journal. */
         void Execution::openJournal(JournalHeader header)
         {
             const std::filesystem::path &file = options_.journal;

@@ -51,58 +51,59 @@
 
 namespace ompl_mfa::campaign
 {
-    /** \brief What is kept of a run that is over. */
+    /** \brief Report of a finished run. */
     struct RunReport
     {
-        /** \brief An object for the journal. The fields of the task's key are put before it. */
+        /** \brief An object for the journal, to which the fields of the task's key are prepended. */
         Json record;
         /** \brief How the run ended, in words. */
         std::string text;
-        /** \brief Whether it did not end as runs should. */
+        /** \brief Whether the run failed. */
         bool failed{false};
     };
 
     /** \brief A run that is about to start. */
     struct Work
     {
-        /** \brief Called in the process of the run. An InputError that it throws ends the campaign. */
+        /** \brief Called in the process of the run. An InputError ends the campaign. */
         RunProcess::Body body;
         RunLimits limits;
-        /** \brief What `body` shares with this process. */
+        /** \brief Memory that `body` shares with this process. */
         std::shared_ptr<const RunState> state;
-        /** \brief Called here when the process is over, however it ended. */
+        /** \brief Called in this process after that of the run has ended, however it ended. */
         std::function<RunReport(const RunProcess &)> report;
     };
 
     /** \brief A run of a campaign. */
     struct Task
     {
-        /** \brief The fields by which its run is found in the journal; all tasks of a campaign have the same ones. */
+        /** \brief The fields that identify its run in the journal; the same ones in all tasks of a campaign. */
         Json key;
-        /** \brief What it is called where progress is shown. */
+        /** \brief Name in progress messages. */
         std::string name;
-        /** \brief Runs of the same group take about equally long: its duration is estimated from theirs. */
+        /** \brief Runs of the same group take about equally long, so the duration is estimated from the finished
+            ones. */
         std::string group;
-        /** \brief Seconds that it may take as long as no run of its group is over. */
+        /** \brief Estimated seconds until a run of its group has finished. */
         double expected{0.0};
-        /** \brief Called when its turn has come. */
+        /** \brief Called before the run starts. */
         std::function<Work()> makeWork;
     };
 
-    /** \brief How the runs of a campaign are made. */
+    /** \brief Options for the runs of a campaign. */
     struct RunOptions
     {
         std::filesystem::path journal;
-        /** \brief Runs at the same time. */
+        /** \brief Number of simultaneous runs. */
         unsigned int jobs{1};
-        /** \brief Whether each of them is bound to a core of its own. */
+        /** \brief Whether each run is bound to a separate core. */
         bool bindToCores{false};
-        /** \brief This is part `shard` of `shards`, counted from 1: it makes every `shards`-th run. */
+        /** \brief Makes only shard `shard` of `shards`, counted from 1: every `shards`-th run. */
         unsigned int shard{1};
         unsigned int shards{1};
-        /** \brief Makes only the runs that the journal does not have. */
+        /** \brief Makes only the runs missing in the journal. */
         bool resume{false};
-        /** \brief Drops the journal of an interrupted campaign. */
+        /** \brief Discards the journal of an interrupted campaign. */
         bool overwrite{false};
         /** \brief Where progress is shown; nowhere if null. */
         std::ostream *progress{nullptr};
@@ -110,28 +111,28 @@ namespace ompl_mfa::campaign
         bool terminal{false};
     };
 
-    /** \brief What came out of a campaign; the runs are in its journal. */
+    /** \brief Result of a campaign; the runs are in its journal. */
     struct RunsMade
     {
-        /** \brief Of the journal. */
+        /** \brief Header of the journal. */
         JournalHeader header;
-        /** \brief The signal that stopped the campaign before its end; 0 if none did. */
+        /** \brief The signal that interrupted the campaign; 0 if none did. */
         int interruptedBy{0};
-        /** \brief Runs that are still to be made. */
+        /** \brief Number of runs still to be made. */
         std::size_t missing{0};
     };
 
-    /** \brief Makes the runs of \e tasks in their order, each in a process of its own, and keeps them in a journal.
+    /** \brief Makes the runs of \e tasks in order, each in a separate process, and stores them in a journal.
 
-        Whatever a run does to its process costs that run alone. Runs that are over are on the disk: a campaign that was
-        stopped at any point continues with `resume`. SIGINT, SIGTERM and SIGHUP stop it. Of \e header, `campaign` and
-        `description` are used. The calling process must have a single thread.
+        A run that damages its process affects no other run. Finished runs are on the disk: a campaign stopped at any
+        point continues with `resume`. SIGINT, SIGTERM and SIGHUP stop it. Only `campaign` and `description` of \e
+        header are used. The calling process must be single-threaded.
 
-        Throws InputError when the journal cannot be written, when one of an interrupted or of another campaign is in
-        the way, for more jobs than there are cores to bind them to, and when a run refuses what it was asked for. */
+        Throws InputError if the journal cannot be written, if there already is one of an interrupted or of another
+        campaign, for more jobs than cores to bind them to, and if a run throws one. */
     OMPL_MFA_EXPORT RunsMade makeRuns(JournalHeader header, const std::vector<Task> &tasks, const RunOptions &options);
 
-    /** \brief The indices below \e count that part \e shard of \e shards, counted from 1, has. */
+    /** \brief The indices below \e count that belong to shard \e shard of \e shards, counted from 1. */
     OMPL_MFA_EXPORT std::vector<std::size_t> shareOf(std::size_t count, unsigned int shard, unsigned int shards);
 }  // namespace ompl_mfa::campaign
 

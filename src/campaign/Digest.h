@@ -44,8 +44,7 @@
 
 namespace ompl_mfa::campaign
 {
-    /** \brief A digest of \e texts in hexadecimal digits, the same on every machine, which identifies a campaign.
-     */
+    /** \brief A digest of \e texts in hexadecimal digits, the same on every machine. Identifies a campaign. */
     OMPL_MFA_EXPORT std::string digestOf(const std::vector<std::string> &texts);
 }  // namespace ompl_mfa::campaign
 

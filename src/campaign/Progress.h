@@ -44,21 +44,20 @@
 
 namespace ompl_mfa::campaign
 {
-    /** \brief Shows how far a campaign is: a bar that is overwritten on a terminal, else one line a run. */
+    /** \brief Shows the progress of a campaign: a bar that is overwritten on a terminal, otherwise one line per run. */
     class OMPL_MFA_EXPORT Progress
     {
     public:
-        /** \brief \e total runs, of which \e done need not be made. \e out may be null. */
+        /** \brief \e total runs, of which \e done are already finished. \e out may be null. */
         Progress(std::ostream *out, bool terminal, std::size_t total, std::size_t done);
 
-        /** \brief Whether it is time to call running() again. */
+        /** \brief Whether running() should be called again. */
         bool isDue() const;
 
-        /** \brief Says that \e run is under way; \e secondsLeft is an estimate for all that remains. */
+        /** \brief Reports that \e run is in progress; \e secondsLeft is an estimate for all remaining runs. */
         void running(const std::string &run, double secondsLeft);
 
-        /** \brief Says how \e run ended. On a terminal, where the bar tells enough of other runs, only if it \e failed.
-         */
+        /** \brief Reports how \e run ended; on a terminal only if it \e failed. */
         void finished(const std::string &run, const std::string &end, bool failed);
 
         /** \brief Ends the line of the bar. */

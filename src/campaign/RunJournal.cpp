@@ -82,8 +82,8 @@ namespace ompl_mfa::campaign
             }
         }
 
-        /* Opens a journal for appending. The runs of a campaign that was just killed hold its lock until they are dead
-           too, so it is asked for more than once. */
+        /* Opens and locks a journal for appending. The runs of a campaign that was just killed hold its lock until they
+           have ended too, so locking is retried. */
         int lockJournal(const std::filesystem::path &file, int flags)
         {
             constexpr int ATTEMPTS = 40;
@@ -104,7 +104,7 @@ namespace ompl_mfa::campaign
             return opened;
         }
 
-        /* A journal, and how many bytes of its file are whole lines. */
+        /* The header of a journal, and the number of bytes in complete lines of its file. */
         std::pair<JournalHeader, std::size_t> readLines(const std::filesystem::path &file, const RecordVisitor &visit)
         {
             std::ifstream in(file);
@@ -118,7 +118,7 @@ namespace ompl_mfa::campaign
                 line.clear();
             }
             std::pair<JournalHeader, std::size_t> journal(headerFrom(line, file), line.size() + 1);
-            // A line without its end was cut off: the run is made again.
+            // A line without its end was truncated: the run is repeated.
             for (std::size_t number = 2; std::getline(in, line) && !in.eof(); ++number)
             {
                 try
@@ -221,7 +221,7 @@ namespace ompl_mfa::campaign
 
     Json parseJson(const std::string &line)
     {
-        // The JSON library hands numbers to strtod().
+        // The JSON library reads numbers with strtod().
         const text::CLocaleScope plainNumbers;
         return Json::parse(line);
     }

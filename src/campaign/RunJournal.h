@@ -49,42 +49,42 @@ namespace ompl_mfa::campaign
 {
     using Json = nlohmann::ordered_json;
 
-    /** \brief The first line of a journal: which campaign its runs are of. */
+    /** \brief The first line of a journal, which identifies its campaign. */
     struct JournalHeader
     {
         /** \brief Journals with the same identity hold runs of the same campaign. */
         std::string campaign;
         /** \brief "i/n", or empty for a whole campaign. */
         std::string shard;
-        /** \brief When the campaign was started for the first time. */
+        /** \brief Time at which the campaign was first started. */
         std::string start;
-        /** \brief What those who read the runs want to know of all of them. */
+        /** \brief Data common to all runs. */
         Json description;
         /** \brief Seconds spent on the runs so far; in a file, the sum over its runs. */
         double duration{0.0};
     };
 
-    /** \brief Takes a run of a journal and the number of its line. */
+    /** \brief Called with a run of a journal and its line number. */
     using RecordVisitor = std::function<void(const Json &record, std::size_t line)>;
 
-    /** \brief Reads a journal and hands each of its runs to \e visit, in the order in which they ended; a last line
-       that was cut off is left out. Throws InputError when \e file cannot be read or is no journal; what \e visit
-       throws as std::invalid_argument or as an exception of the JSON library becomes an InputError "FILE:LINE: ...". */
+    /** \brief Reads a journal and passes each of its runs to \e visit, in the order in which they ended; a truncated
+        last line is ignored. Throws InputError if \e file cannot be read or is not a journal; a std::invalid_argument
+        or an exception of the JSON library thrown by \e visit becomes an InputError "FILE:LINE: ...". */
     OMPL_MFA_EXPORT JournalHeader readJournal(const std::filesystem::path &file, const RecordVisitor &visit);
 
-    /** \brief The runs of a campaign as they come in, in a file that survives the end of the program at any point.
+    /** \brief The finished runs of a campaign, in a file that remains valid if the program ends at any point.
 
-        A text file with a JSON object a line, the header's first and then one for each run; a line is on the disk
-       before append() returns. What was cut off in the middle of a line is removed. */
+        A text file with one JSON object per line, first the header and then one per run; a line is on the disk before
+        append() returns. A truncated last line is removed. */
     class OMPL_MFA_EXPORT RunJournal
     {
     public:
-        /** \brief Starts a journal, replacing \e file. Throws InputError when it cannot be written or
+        /** \brief Starts a journal, replacing \e file. Throws InputError if it cannot be written or
             is in use. */
         RunJournal(std::filesystem::path file, JournalHeader header);
 
-        /** \brief Opens a journal to continue it; \e visit is given the runs that are there. Throws InputError as
-            readJournal() does, and when \e file cannot be written or is in use. */
+        /** \brief Opens a journal to continue it; its runs are passed to \e visit. Throws InputError as readJournal()
+            does, and if \e file cannot be written or is in use. */
         RunJournal(std::filesystem::path file, const RecordVisitor &visit);
 
         ~RunJournal();
@@ -92,8 +92,8 @@ namespace ompl_mfa::campaign
         RunJournal(const RunJournal &) = delete;
         RunJournal &operator=(const RunJournal &) = delete;
 
-        /** \brief Adds a run that ended \e duration seconds after the previous one, or after the start; its field
-            `duration` says so. Throws std::system_error when the disk is full. */
+        /** \brief Adds a run that ended \e duration seconds after the previous one, or after the start; stored in its
+            field `duration`. Throws std::system_error if the disk is full. */
         void append(Json record, double duration);
 
         const JournalHeader &header() const;
@@ -107,11 +107,10 @@ namespace ompl_mfa::campaign
         int file_{-1};
     };
 
-    /** \brief \e value as a line of JSON without its end. Bytes that are not UTF-8, which a run may have printed, are
-        replaced. */
+    /** \brief \e value as a line of JSON without its end. Invalid UTF-8, which a run may have printed, is replaced. */
     OMPL_MFA_EXPORT std::string jsonLine(const Json &value);
 
-    /** \brief Reads what jsonLine() wrote, in any locale. Throws an exception of the JSON library for anything else. */
+    /** \brief Reverse of jsonLine(), in any locale. Throws an exception of the JSON library for invalid text. */
     OMPL_MFA_EXPORT Json parseJson(const std::string &line);
 }  // namespace ompl_mfa::campaign
 

@@ -76,8 +76,8 @@ namespace ompl_mfa::campaign
             throw std::system_error(errno, std::generic_category(), what);
         }
 
-        /* The watching process kills on resident memory, which it sees only now and then. This limit catches what is
-           faster than that, and memory that is reserved but never touched. */
+        /* The parent process enforces a limit on resident memory, but polls it only at intervals. This limit catches
+           faster growth, and memory that is reserved but never touched. */
         void limitAllocation(double megabytes)
         {
             std::ifstream status("/proc/self/status");
@@ -141,12 +141,12 @@ namespace ompl_mfa::campaign
             const rlimit noCore{0, 0};
             setrlimit(RLIMIT_CORE, &noCore);
             limitAllocation(megabytes);
-            // OMPL and planners write into streams and with std::to_string() what goes into the log. The C library's
-            // locale follows, for the classic one has a name.
+            // OMPL and planners format values for the log with streams and std::to_string(). This also sets the C
+            // library's locale, as the classic locale has a name.
             std::locale::global(std::locale::classic());
         }
 
-        /* Ends without destructors: whatever the planner broke must not cost a result that is already there. */
+        /* Ends without destructors, so that memory corrupted by the planner cannot lose an existing result. */
         [[noreturn]] void runChild(const RunProcess::Body &body, int resultPipe)
         {
             int status = 0;
@@ -212,7 +212,7 @@ namespace ompl_mfa::campaign
             }
         }
 
-        /* 0 where there is no such clock. */
+        /* 0 if there is no such clock. */
         double secondsOf(clockid_t clock)
         {
             timespec now{};
@@ -332,7 +332,7 @@ namespace ompl_mfa::campaign
         {
             exitStatus_ = WEXITSTATUS(status);
             termination_ = terminationOf(exitStatus_);
-            // A planner that calls exit(0) has returned nothing.
+            // A planner that calls exit(0) has not returned a result.
             if (termination_ == RunTermination::Returned && result_.empty())
             {
                 termination_ = RunTermination::Exited;
@@ -435,7 +435,8 @@ namespace ompl_mfa::campaign
         {
             killProcess(RunTermination::TimeLimit);
         }
-        // OMPL's own check stops a planner at the limit itself; this one is for planners that do not listen.
+        // OMPL stops a planner at the limit itself; this check is for planners that do not evaluate their termination
+        // condition.
         const double slack = (0.1 * limits_.memory + 16.0) * MEGABYTE;
         const double resident = static_cast<double>(residentMemory(pid_));
         if (resident > static_cast<double>(state_->residentAtStart) + limits_.memory * MEGABYTE + slack)

@@ -52,20 +52,20 @@
 
 namespace ompl_mfa::campaign
 {
-    /** \brief What a run is doing; each phase has its own time limit. */
+    /** \brief Phase of a run; each phase has its own time limit. */
     enum class RunPhase : int
     {
-        Preparing,  ///< making what is to be solved, and with what
-        Solving,    ///< the work that is measured
-        Finishing   ///< looking at what came out
+        Preparing,  ///< making the problem and the planner
+        Solving,    ///< the measured work
+        Finishing   ///< evaluating the result
     };
 
-    /** \brief Memory shared by the process of a run, which writes it, and the process that watches the run. What a run
-        wants to outlive its crash is in a struct derived from this one: see makeShared(). */
+    /** \brief Memory shared by the process of a run, which writes it, and its parent. Data that must survive a crash
+        are stored in a derived struct, see makeShared(). */
     struct RunState
     {
         std::atomic<RunPhase> phase{RunPhase::Preparing};
-        /** \brief When RunPhase::Solving began, seconds of the monotonic clock. */
+        /** \brief Start of RunPhase::Solving, seconds of the monotonic clock. */
         std::atomic<double> solveStart{0.0};
         /** \brief Processor time of the process when RunPhase::Solving began, seconds. */
         std::atomic<double> processorAtStart{0.0};
@@ -73,78 +73,77 @@ namespace ompl_mfa::campaign
         std::atomic<std::uint64_t> residentAtStart{0};
     };
 
-    /** \brief Called in the process of a run: notes time and memory, from which its limits count, and begins
-     * RunPhase::Solving.
-     */
+    /** \brief Called in the process of a run: begins RunPhase::Solving and stores time and memory, to which its limits
+        are relative. */
     OMPL_MFA_EXPORT void startSolving(RunState &state);
 
-    /** \brief How a run came to its end. */
+    /** \brief How a run ended. */
     enum class RunTermination : int
     {
-        Returned,     ///< it handed back a text
+        Returned,     ///< it returned a text
         Exception,    ///< it threw
         Exited,       ///< the process ended itself
         Signal,       ///< a signal ended the process: a crash or an abort
-        TimeLimit,    ///< killed: a phase took longer than it may
-        MemoryLimit,  ///< killed: more memory than it may use, or an allocation failed
-        Unknown       ///< not over
+        TimeLimit,    ///< killed: a phase exceeded its time limit
+        MemoryLimit,  ///< killed at its memory limit, or an allocation failed
+        Unknown       ///< still running
     };
 
-    /** \brief \e termination in words, such as "ended by signal 11 (Segmentation fault)"; \e signal counts for that. */
+    /** \brief \e termination in words, such as "ended by signal 11 (Segmentation fault)", for which \e signal is
+        used. */
     OMPL_MFA_EXPORT std::string describeTermination(RunTermination termination, int signal);
 
-    /** \brief Limits of a run, enforced from outside its process. */
+    /** \brief Limits of a run, enforced by the parent process. */
     struct RunLimits
     {
-        /** \brief Seconds that the phases may take. */
+        /** \brief Maximum seconds of the phases. */
         double prepare{120.0};
         double solve{5.0};
         double finish{120.0};
-        /** \brief Seconds of processor time that the process may take from the start of RunPhase::Solving to its end.
-         */
+        /** \brief Maximum processor time of RunPhase::Solving, seconds. */
         double processor{std::numeric_limits<double>::infinity()};
-        /** \brief Megabytes (2^20 bytes) that RunPhase::Solving may add to what the process occupied before it. */
+        /** \brief Megabytes (2^20 bytes) by which resident memory may grow in RunPhase::Solving. */
         double memory{4096.0};
     };
 
-    /** \brief A function that runs in a process of its own, under limits, and hands a text back.
+    /** \brief Runs a function in a separate process, under limits, and returns its text.
 
-        The process is a fork of the calling one, which must have a single thread. It dies with its parent, leaves no
-        core file, reads nothing, and what it prints is kept back. Its locale is "C", whatever that of the caller. */
+        The process is forked from the calling one, which must be single-threaded. It is killed if its parent ends,
+        leaves no core file, and has an empty standard input; its output is captured. Its locale is "C". */
     class OMPL_MFA_EXPORT RunProcess
     {
     public:
-        /** \brief The work of the process. An exception that it throws is the end of the run. */
+        /** \brief The work of the process. An exception ends the run. */
         using Body = std::function<std::string()>;
 
         /** \brief The process may run on any core. */
         static constexpr int ANY_CORE = -1;
 
-        /** \brief Starts the process. \e state is what \e body writes and the limits are read from; \e core is the
-            one core that it is bound to, as sched_setaffinity() numbers them. Throws std::system_error when the system
-            has no process or pipe left. */
+        /** \brief Starts the process. \e state is written by \e body and read to enforce the limits; \e core is the
+            core to bind it to, as numbered by sched_setaffinity(). Throws std::system_error if no process or pipe can
+            be created. */
         RunProcess(const Body &body, const RunLimits &limits, std::shared_ptr<const RunState> state,
                    int core = ANY_CORE);
 
-        /** \brief Kills the process if it is still there. */
+        /** \brief Kills the process if it is still running. */
         ~RunProcess();
 
         RunProcess(const RunProcess &) = delete;
         RunProcess &operator=(const RunProcess &) = delete;
 
-        /** \brief Reads what the process wrote and enforces its limits. Returns true once it is over. */
+        /** \brief Reads the output of the process and enforces its limits. Returns true once it has ended. */
         bool update();
 
-        /** \brief As update() until the process is over. */
+        /** \brief Calls update() until the process has ended. */
         void wait();
 
-        /** \brief Waits until something can be read from one of \e processes, at most \e seconds. */
+        /** \brief Waits until one of \e processes has output, at most \e seconds. */
         static void waitForOutput(const std::vector<const RunProcess *> &processes, double seconds);
 
-        /** \brief RunTermination::Unknown as long as update() has not returned true. */
+        /** \brief RunTermination::Unknown until update() has returned true. */
         RunTermination termination() const;
 
-        /** \brief Whether the process ended because its body threw InputError: what it was asked for cannot be had. */
+        /** \brief Whether the process ended because its body threw InputError. */
         bool refused() const;
 
         /** \brief The signal that ended the process, 0 if none did. */
@@ -153,17 +152,17 @@ namespace ompl_mfa::campaign
         /** \brief The exit status of the process, 0 if a signal ended it. */
         int exitStatus() const;
 
-        /** \brief What Body returned; empty unless termination() is RunTermination::Returned. */
+        /** \brief The text returned by Body; empty unless termination() is RunTermination::Returned. */
         const std::string &result() const;
 
-        /** \brief The end of what the process printed, at most 4 KiB, without surrounding white space. The message of
-            an exception is the last that is printed. */
+        /** \brief The last output of the process, at most 4 KiB, without surrounding white space. The message of an
+            exception is printed last. */
         std::string console() const;
 
         /** \brief The last line of console(). */
         std::string lastLine() const;
 
-        /** \brief The time since the start of the present phase, or of the last one, seconds. */
+        /** \brief Seconds since the start of the current phase, or of the last one. */
         double phaseTime() const;
 
         const RunState &state() const;
@@ -194,7 +193,7 @@ namespace ompl_mfa::campaign
     /** \brief Seconds of the monotonic clock, the same for all processes of the machine. */
     OMPL_MFA_EXPORT double monotonicSeconds();
 
-    /** \brief Resident memory of process \e pid in bytes; 0 when there is no such process. */
+    /** \brief Resident memory of process \e pid in bytes; 0 if there is no such process. */
     OMPL_MFA_EXPORT std::uint64_t residentMemory(pid_t pid);
 }  // namespace ompl_mfa::campaign
 

@@ -46,15 +46,15 @@
 
 namespace ompl_mfa::campaign
 {
-    /** \brief \e size bytes of zeros that this process shares with those that it forks from now on. Throws
-        std::system_error where the system has none. */
+    /** \brief Allocates \e size zero bytes that this process shares with those that it forks afterwards. Throws
+        std::system_error if the allocation fails. */
     OMPL_MFA_EXPORT void *mapSharedMemory(std::size_t size);
 
-    /** \brief Gives back what mapSharedMemory() gave. */
+    /** \brief Frees memory of mapSharedMemory(). */
     OMPL_MFA_EXPORT void unmapSharedMemory(void *memory, std::size_t size);
 
-    /** \brief An object that this process shares with those that it forks from now on: what such a process wrote
-        survives its crash. Throws std::system_error where the system has no memory for it. */
+    /** \brief An object that this process shares with those that it forks afterwards: what they write survives their
+        crash. Throws std::system_error if the system has no memory for it. */
     template <typename Shared>
     std::shared_ptr<Shared> makeShared()
     {

@@ -61,7 +61,7 @@ namespace ompl_mfa::cli
     {
 
         constexpr int SIGNAL_STATUS = 128;
-        /* Of the property `termination`. */
+        /* Value of the property `termination`. */
         const char *const RETURNED = "0";
         constexpr double LONGEST_GRACE = 1e9;
         const char *const ACCEPTED_GRACE = "a number from 0 to 1e9 (seconds)";
@@ -82,7 +82,7 @@ namespace ompl_mfa::cli
             std::string name;
             std::size_t runs{0};
             std::size_t solved{0};
-            /** \brief Runs that did not return by themselves. */
+            /** \brief Runs that did not return normally. */
             std::size_t ended{0};
             std::vector<double> firstSolutions;
             std::vector<double> costs;

@@ -75,7 +75,7 @@ namespace ompl_mfa::cli
             }
         }
 
-        /** \brief The surface of a file that is written into \e bytes; an image is written at the end. */
+        /** \brief A surface that writes its file into \e bytes; an image is written at the end. */
         Surface makeSurface(PictureFormat format, const Eigen::Vector2d &size, std::string &bytes)
         {
             Surface surface(nullptr, &cairo_surface_destroy);
@@ -87,7 +87,7 @@ namespace ompl_mfa::cli
             else if (format == PictureFormat::PDF)
             {
                 surface.reset(cairo_pdf_surface_create_for_stream(&append, &bytes, size.x(), size.y()));
-                // The same picture is the same file at any time.
+                // Files of the same picture must be identical.
                 cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
             }
             else
@@ -115,7 +115,7 @@ namespace ompl_mfa::cli
             return context;
         }
 
-        /** \brief What cairo accepts as text: one invalid character would end the whole picture. */
+        /** \brief Text that cairo accepts: one invalid character would make the whole picture fail. */
         std::string drawable(const std::string &words)
         {
             auto characters = boost::locale::conv::utf_to_utf<char32_t>(oneLine(words));
@@ -151,8 +151,8 @@ namespace ompl_mfa::cli
             double offset;
         };
 
-        /** \brief The sheet with as much around it. Cairo keeps coordinates in 32 bits: an obstacle that is much larger
-            than the picture must be cut before. */
+        /** \brief The sheet with a margin of its own size. Cairo stores coordinates in 32 bits, so an obstacle much
+            larger than the picture has to be clipped. */
         std::array<HalfPlane, 4> surroundings(const Eigen::Vector2d &size)
         {
             return {{{{1.0, 0.0}, -size.x()},
@@ -161,7 +161,7 @@ namespace ompl_mfa::cli
                      {{0.0, -1.0}, -2.0 * size.y()}}};
         }
 
-        /** \brief Cuts a segment; false where nothing of it is left. */
+        /** \brief Clips a segment; false if nothing of it is left. */
         bool cut(Eigen::Vector2d &a, Eigen::Vector2d &b, const std::array<HalfPlane, 4> &area)
         {
             for (const auto &half : area)
@@ -184,7 +184,7 @@ namespace ompl_mfa::cli
             return true;
         }
 
-        /** \brief Cuts a polygon (Sutherland and Hodgman). */
+        /** \brief Clips a polygon (Sutherland and Hodgman). */
         Canvas::Points cut(Canvas::Points corners, const std::array<HalfPlane, 4> &area)
         {
             for (const auto &half : area)
@@ -252,7 +252,7 @@ namespace ompl_mfa::cli
 
         PictureFormat format;
         std::array<HalfPlane, 4> area;
-        // Outlives the surface, which writes into it to the last.
+        // Outlives the surface, which writes into it until its end.
         std::string bytes;
         Surface surface;
         Context context;
@@ -265,7 +265,7 @@ namespace ompl_mfa::cli
         cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
         cairo_paint(context);
         cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
-        // Circles of any size are round to a hundredth of a pixel.
+        // Circles of any size are accurate to a hundredth of a pixel.
         cairo_set_tolerance(context, 0.01);
     }
 

@@ -53,8 +53,8 @@ namespace ompl_mfa::cli
         PDF
     };
 
-    /** \brief The format that the extension of \e file names: `.svg`, `.png` or `.pdf`, in upper or lower case.
-        Throws InputError for any other. */
+    /** \brief The format given by the extension of \e file: `.svg`, `.png` or `.pdf`, in upper or lower case. Throws
+        InputError for any other. */
     PictureFormat pictureFormat(const std::string &file);
 
     /** \brief How a shape is drawn: colours as 0xRRGGBB, the width in pixels, the opacity from 0 to 1. */
@@ -66,7 +66,7 @@ namespace ompl_mfa::cli
         double opacity{1.0};
     };
 
-    /** \brief Which part of a text lies at its position. */
+    /** \brief Which point of a text lies at its position. */
     enum class Anchor
     {
         Start,
@@ -74,11 +74,11 @@ namespace ompl_mfa::cli
         End
     };
 
-    /** \brief Pixels that \e words of \e size pixels take, in every format. */
+    /** \brief Width in pixels of \e words in a font of \e size pixels, the same in every format. */
     double textWidth(const std::string &words, double size);
 
-    /** \brief A white sheet to draw on, with x to the right and y downwards. An SVG and an image have pixels, a PDF
-        has points in their place; an image has two of its own pixels for one here. */
+    /** \brief A white sheet to draw on, with x to the right and y downwards, in pixels. They are points in a PDF; an
+        image has two of its own pixels for each. */
     class Canvas
     {
     public:
@@ -90,22 +90,22 @@ namespace ompl_mfa::cli
         Canvas(const Canvas &) = delete;
         Canvas &operator=(const Canvas &) = delete;
 
-        /** \brief Until clearClip(), nothing is drawn outside of this rectangle. */
+        /** \brief Clips drawing to this rectangle until clearClip(). */
         void setClip(const Eigen::Vector2d &corner, const Eigen::Vector2d &size);
         void clearClip();
 
-        /** \brief Open lines as one shape: where they cross, the opacity is that of one. */
+        /** \brief Draws open polylines as one shape, so that the opacity does not add up where they cross. */
         void drawLines(const std::vector<Points> &lines, const Style &style);
         void drawPolygon(const Points &corners, const Style &style);
         void drawCircle(const Eigen::Vector2d &center, double radius, const Style &style);
 
-        /** \brief One line of text whose baseline is at \e at; \e upwards it is turned to run from below to above. What
-            is not UTF-8 is left out. */
+        /** \brief Draws one line of text with its baseline at \e at, rotated to run from bottom to top if \e upwards.
+            Invalid UTF-8 is left out. */
         void drawText(const std::string &words, const Eigen::Vector2d &at, double size, Anchor anchor,
                       bool upwards = false);
 
-        /** \brief The content of the file. Nothing can be drawn afterwards.
-            Throws std::runtime_error where cairo failed. */
+        /** \brief The content of the file. Nothing can be drawn afterwards. Throws std::runtime_error if cairo
+            failed. */
         std::string finish();
 
     private:

@@ -66,7 +66,7 @@ namespace ompl_mfa::cli
         using benchmark::BenchmarkConfig;
         using benchmark::ProblemFactory;
 
-        /* Significant digits of what is printed. */
+        /* Significant digits of printed numbers. */
         constexpr int DIGITS = 6;
         constexpr int CHECK_TIME_DIGITS = 2;
 
@@ -76,11 +76,11 @@ namespace ompl_mfa::cli
             bool json{false};
         };
 
-        /** \brief The motion straight from start to goal. */
+        /** \brief The straight motion from start to goal. */
         struct StraightMotion
         {
             bool free{false};
-            /** \brief Part of the motion that is known to be free, in [0, 1]. */
+            /** \brief Fraction of the motion that is known to be free, in [0, 1]. */
             double freeFraction{0.0};
             double length{0.0};
         };
@@ -98,8 +98,8 @@ namespace ompl_mfa::cli
             return motion;
         }
 
-        /** \brief What the check of a valid state takes, in microseconds: of several rounds over uniform states the
-            quickest, since other programs can only make one slower. */
+        /** \brief Microseconds for the check of a valid state: the minimum over several rounds of uniform states, as
+            other programs can only slow a round down. */
         double stateCheckTime(const ompl::base::SpaceInformation &si)
         {
             constexpr unsigned int STATES = 200;
@@ -108,7 +108,7 @@ namespace ompl_mfa::cli
             std::vector<ob::State *> states(STATES);
             si.allocStates(states);
             const auto sampler = si.allocStateSampler();
-            // a planner checks far more states that are valid than such as are not
+            // a planner checks far more valid states than invalid ones
             for (ob::State *state : states)
             {
                 constexpr unsigned int TRIES = 100;
@@ -138,7 +138,7 @@ namespace ompl_mfa::cli
             return 1e6 * best;
         }
 
-        /** \brief Makes and sets up every planner of the config: what would fail in a campaign fails here. */
+        /** \brief Makes and sets up every planner of the config, to find errors before a campaign. */
         void checkPlanners(const ProblemFactory &factory)
         {
             for (const auto &spec : factory.config().planners)
@@ -161,7 +161,7 @@ namespace ompl_mfa::cli
             return {{"min", {box.min_[0], box.min_[1], box.min_[2]}}, {"max", {box.max_[0], box.max_[1], box.max_[2]}}};
         }
 
-        /** \brief A robot in the plane moves at z = 0; a world that stands elsewhere is no obstacle to it. */
+        /** \brief A planar robot moves at z = 0 and does not collide with a world at other heights. */
         std::vector<std::string> warnings(const ProblemFactory &factory)
         {
             const benchmark::ProblemConfig &problem = factory.config().problem;

@@ -58,14 +58,14 @@ namespace ompl_mfa::cli
         constexpr double PADDING = 12;
         constexpr double TICK_LENGTH = 5;
         constexpr double TICK_GAP = 8;
-        // of the digits' upper edge above their baseline
+        // height of digits above the baseline
         constexpr double DIGIT_HEIGHT = 10;
         constexpr double BELOW_AXIS = 52;
         constexpr double LEGEND_ROW = 20;
         constexpr double LEGEND_KEY = 32;
         constexpr double LEGEND_GAP = 24;
 
-        /** \brief The longest of the labels, in pixels. */
+        /** \brief Width of the longest label, in pixels. */
         template <typename Ticks>
         double widest(const Ticks &ticks)
         {
@@ -77,7 +77,7 @@ namespace ompl_mfa::cli
             return width;
         }
 
-        /** \brief Lines of at most \e width pixels, where the words are not longer. */
+        /** \brief Breaks a text into lines of at most \e width pixels, unless a word is longer. */
         std::vector<std::string> wrap(const std::string &text, double width)
         {
             std::vector<std::string> lines;
@@ -137,7 +137,7 @@ namespace ompl_mfa::cli
             {
                 if (entry.key == LegendEntry::Key::Line)
                 {
-                    // One line of what is drawn faintly, because there are many, would not be seen.
+                    // A single one of many faint lines would not be visible.
                     Style style = entry.style;
                     style.strokeWidth = std::max(style.strokeWidth, 1.2);
                     style.opacity = 1.0;
@@ -231,7 +231,7 @@ namespace ompl_mfa::cli
         return legend_;
     }
 
-    /* Multiples of 1, 2 or 5 times a power of ten: about six of them, or as many as have room for their labels. */
+    /* Multiples of 1, 2 or 5 times a power of ten: about six of them, or fewer if their labels need more space. */
     std::vector<Axes::Tick> Axes::placeTicks(double lower, double upper, double pixels, bool horizontal)
     {
         std::vector<Tick> ticks;
@@ -242,7 +242,7 @@ namespace ompl_mfa::cli
             const double fraction = raw / std::pow(10.0, power);
             const double factor = fraction <= 1.0 ? 1.0 : fraction <= 2.0 ? 2.0 : fraction <= 5.0 ? 5.0 : 10.0;
             const double step = factor * std::pow(10.0, power);
-            // As many digits as tell one tick from the next.
+            // As many digits as distinguish neighbouring ticks.
             const double greatest = std::max({std::abs(lower), std::abs(upper), step});
             const int digits = std::clamp(static_cast<int>(std::floor(std::log10(greatest)) - power) + 1, 6, 17);
 
@@ -273,8 +273,8 @@ namespace ompl_mfa::cli
         Layout layout;
         double left = 62;
         double right = 18;
-        // The margins hold the labels, which depend on the room between the margins: what the first look takes for the
-        // labels is enough for the second, which has less room and no longer labels.
+        // The margins depend on the labels, and these on the space between the margins. Two iterations suffice: the
+        // second has less space, and its labels are not longer.
         for (int look = 0; look < 2; ++look)
         {
             const double room = width - left - right;

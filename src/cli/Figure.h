@@ -47,7 +47,7 @@
 
 namespace ompl_mfa::cli
 {
-    /** \brief An entry of a legend: its words, and the shape and style that they explain. */
+    /** \brief An entry of a legend: its text, and the shape and style explained. */
     struct LegendEntry
     {
         enum class Key
@@ -62,19 +62,19 @@ namespace ompl_mfa::cli
         Style style;
     };
 
-    /** \brief One plot with its axes, ticks and title; everything is given in the axes' own units and clipped to them.
-        One unit of x is as long as one of y. Shapes drawn later lie above. */
+    /** \brief One plot with axes, ticks and title. Shapes are given in axis units and clipped to the axes; those added
+        later are drawn on top. The scales of x and y are equal. */
     class Axes
     {
     public:
         using Points = Canvas::Points;
         using Segments = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
 
-        /** \brief Labels carry the unit, as in `x (m)`. The ranges must not be empty: throws std::invalid_argument. */
+        /** \brief Labels include the unit, as in `x (m)`. Throws std::invalid_argument for an empty range. */
         Axes(std::string title, std::string xLabel, std::string yLabel, const Eigen::Vector2d &lower,
              const Eigen::Vector2d &upper);
 
-        /** \brief Each adds a legend entry unless \e legend is empty. */
+        /** \brief These functions add a legend entry unless \e legend is empty. */
         void addPolyline(const Points &points, const Style &style, const std::string &legend = "");
         void addPolygon(const Points &points, const Style &style, const std::string &legend = "");
         void addSegments(const Segments &segments, const Style &style, const std::string &legend = "");
@@ -113,7 +113,7 @@ namespace ompl_mfa::cli
             std::string label;
         };
 
-        /** \brief Where everything lies in a panel, in pixels from its upper left corner. */
+        /** \brief Positions in a panel, in pixels from its upper left corner. */
         struct Layout
         {
             Eigen::Vector2d corner;
@@ -142,7 +142,7 @@ namespace ompl_mfa::cli
         std::vector<LegendEntry> legend_;
     };
 
-    /** \brief A picture with one or more plots side by side and one legend below them, in which equal words stand
+    /** \brief A picture with one or more plots side by side and one legend below them, in which equal entries appear
         once. */
     class Figure
     {

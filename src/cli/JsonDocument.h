@@ -44,13 +44,13 @@
 
 namespace ompl_mfa::cli
 {
-    /** \brief The result of a command with `--json`. File names may hold any bytes; what is not UTF-8 is replaced. */
+    /** \brief Prints the result of a command with `--json`. Invalid UTF-8, as in file names, is replaced. */
     inline void printDocument(const nlohmann::json &document)
     {
         std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
     }
 
-    /** \brief JSON has neither infinity nor NaN: a number that does not exist is null. */
+    /** \brief JSON has neither infinity nor NaN; they are written as null. */
     inline nlohmann::json finiteOrNull(double value)
     {
         return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();

@@ -43,7 +43,7 @@
 
 namespace ompl_mfa::cli
 {
-    /** \brief An option that takes a number, with a point in every locale, into \e value, which has to outlive \e
+    /** \brief Adds an option that reads a number, with a point in every locale, into \e value, which has to outlive \e
         command. Any other text is an InputError that names the option, the text and \e accepted. */
     CLI::Option *addNumberOption(CLI::App &command, const std::string &name, double &value,
                                  const std::string &description, const std::string &accepted = "a number");

@@ -84,7 +84,7 @@ namespace ompl_mfa::cli
             Eigen::MatrixXd population;
         };
 
-        /** \brief All runs of one algorithm, ascending in the share of fireflies near the optimum. */
+        /** \brief All runs of one algorithm, sorted by the share of fireflies near the optimum. */
         struct Result
         {
             std::string algorithm;
@@ -136,7 +136,7 @@ namespace ompl_mfa::cli
             return result;
         }
 
-        /** \brief Where a grid over the axes crosses \e level: marching squares, the saddle taken as it comes. */
+        /** \brief Adds the contour of a grid at \e level by marching squares; saddles are not disambiguated. */
         void addLevel(Axes::Segments &segments, const Eigen::MatrixXd &values, const Eigen::Vector2d &lower,
                       const Eigen::Vector2d &cell, double level)
         {
@@ -168,7 +168,7 @@ namespace ompl_mfa::cli
             }
         }
 
-        /** \brief Equal steps or, for a function that rises over several powers of ten, equal areas. */
+        /** \brief Equal steps or, for a function with values over several powers of ten, equal areas. */
         std::vector<double> contourLevels(std::vector<double> values)
         {
             constexpr int LEVELS = 7;

@@ -93,7 +93,7 @@ namespace ompl_mfa::cli
             bool json{false};
         };
 
-        /** \brief What a run of a planner came to. Costs and times are infinite where there is none. */
+        /** \brief Result of a run. Costs and times are infinite if they do not exist. */
         struct Result
         {
             std::string status;
@@ -112,7 +112,7 @@ namespace ompl_mfa::cli
             std::uint64_t checkedMotions{0};
         };
 
-        /** \brief The instance of the config that has this name or else this type, or else a new one of this type. */
+        /** \brief The instance in the config with this name, or else with this type, or else a new one of this type. */
         PlannerSpec findSpec(const BenchmarkConfig &config, const std::string &planner)
         {
             for (const auto &spec : config.planners)
@@ -224,7 +224,7 @@ namespace ompl_mfa::cli
             }
 
         private:
-            /* Of the progress only the time of the first solution is wanted, and that is watched for anyway. */
+            /* Progress samples are not needed: the time of the first solution is measured independently of them. */
             static constexpr double ONLY_AT_FIRST = benchmark::LONGEST_TIME_LIMIT;
 
             void measurePath(Result &result)
@@ -250,7 +250,7 @@ namespace ompl_mfa::cli
             std::shared_ptr<benchmark::MeasuredPlanner> measured_;
         };
 
-        /** \brief Before the planner runs: its result is not to be lost for want of a folder. */
+        /** \brief Called before the planner runs, so that its result is not lost to a missing folder. */
         void requireWritable(const std::string &option, const std::filesystem::path &file)
         {
             if (file.empty())

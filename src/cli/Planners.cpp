@@ -96,7 +96,7 @@ namespace ompl_mfa::cli
             {
                 benchmark::requireKnownPlanner(name, "planners");
             }
-            // BIT* warns about some of its parameters whenever they are read
+            // BIT* logs warnings when some of its parameters are read
             ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
             const auto names = options.names.empty() ? benchmark::plannerNames() : options.names;
             if (options.json)

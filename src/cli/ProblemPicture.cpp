@@ -67,7 +67,7 @@ namespace ompl_mfa::cli
         const Style START{0x12632b, 1.4, 0x49b266, 0.55};
         const Style GOAL{0x8c1d18, 1.4, 0xe0605a, 0.55};
 
-        /* A direction of sight: the world is turned so that its picture lies in x and y. */
+        /* A viewing direction: the world is rotated so that the picture lies in x and y. */
         struct View
         {
             fcl::Transform3d turned;
@@ -95,7 +95,7 @@ namespace ompl_mfa::cli
             return view;
         }
 
-        /* Draws one view; coordinates are taken from the turned world. */
+        /* Draws one view; coordinates are those of the rotated world. */
         class ViewPainter
         {
         public:
@@ -132,7 +132,7 @@ namespace ompl_mfa::cli
             }
 
         private:
-            /* Nobody but the world's author knows whether it is in metres. */
+            /* The unit of the world is unknown. */
             static std::string axisLabel(unsigned int axis)
             {
                 return std::string(1, "xyz"[axis]) + " (world units)";
@@ -181,7 +181,7 @@ namespace ompl_mfa::cli
                 return points;
             }
 
-            /* The legend names the first shape that is drawn. */
+            /* Only the first shape drawn gets a legend entry. */
             void addOutlines(collision::CollisionObject object, const fcl::Transform3d &turned, const Style &style,
                              const std::string &legend)
             {

@@ -47,23 +47,23 @@
 
 namespace ompl_mfa::cli
 {
-    /** \brief What a picture of a planning result shows besides the problem. */
+    /** \brief Content of a picture of a planning result besides the problem. */
     struct PictureContent
     {
         std::string title;
-        /** \brief Pairs of states between which a slice lies. */
+        /** \brief Pairs of states: the ends of each slice. */
         std::vector<ompl::geometric::PathGeometric> slices;
-        /** \brief Drawn faintly. */
+        /** \brief Paths of the swarm, drawn faintly. */
         std::vector<ompl::geometric::PathGeometric> swarm;
         /** \brief The best path; empty for none. */
         std::vector<ompl::geometric::PathGeometric> best;
     };
 
-    /** \brief Draws the obstacles, the robot at start and goal and on its way, and \e content.
+    /** \brief Draws the obstacles, the robot at start, at goal and along the path, and \e content.
 
-        A planar problem is seen from above, with the part of the world at the robot's height; a spatial one from above
-        and from the side, with all of the world. The
-        extension of \e file is its format. Throws InputError if it cannot be written, or as pictureFormat(). */
+        A planar problem is seen from above, with the section of the world at the robot's height; a spatial one from
+        above and from the side, with the whole world. The extension of \e file determines its format. Throws InputError
+        if it cannot be written, or as pictureFormat(). */
     void drawProblem(const benchmark::ProblemFactory &problem, const ompl::geometric::SimpleSetup &setup,
                      const PictureContent &content, const std::string &file);
 }  // namespace ompl_mfa::cli

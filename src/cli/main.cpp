@@ -54,7 +54,7 @@ namespace
     constexpr int FAILURE = 1;
     constexpr int BAD_INPUT = 2;
 
-    /** \brief Keeps OMPL's messages away from standard output, which belongs to the result. */
+    /** \brief Writes OMPL's messages to standard error, as standard output is for results. */
     class StandardErrorOutput : public ompl::msg::OutputHandler
     {
     public:
@@ -93,7 +93,7 @@ namespace
         return names;
     }
 
-    /** \brief What CLI11 did not expect, with what it would have accepted there. */
+    /** \brief Message for unexpected arguments, with what would have been accepted. */
     std::string describeExtra(const CLI::App &app)
     {
         const auto parsed = app.get_subcommands();

@@ -58,7 +58,7 @@ namespace ompl_mfa::collision
         using Point = bg::model::point<double, 3, bg::cs::cartesian>;
         using Box = bg::model::box<Point>;
 
-        // Mesh files repeat a vertex for each normal that meets in it, so vertices are one by their position.
+        // Mesh files repeat a vertex for each of its normals, so vertices are merged by position.
         std::vector<std::size_t> weld(const MeshGeometry &mesh)
         {
             std::map<std::array<double, 3>, std::size_t> first;
@@ -92,8 +92,8 @@ namespace ompl_mfa::collision
             return rim;
         }
 
-        // Whether a ray from the origin along +x crosses the edge. The ends are put in order first, so that the two
-        // triangles of an edge come to the same answer to the last bit.
+        // Whether a ray from the origin along +x crosses the edge. The ends are sorted first, so that both triangles of
+        // an edge yield exactly the same result.
         bool crossesEdge(Eigen::Vector2d a, Eigen::Vector2d b)
         {
             if (a.y() > b.y() || (a.y() == b.y() && a.x() > b.x()))

@@ -47,25 +47,25 @@ namespace ompl_mfa::collision
 {
     /** \brief The solid that a closed surface mesh bounds.
 
-        FCL knows a mesh as a surface, so a body wholly inside of it touches nothing. This tells whether a point is
-        inside: a ray upward crosses the surface an odd number of times. Const functions are safe to call from several
-        threads and allocate nothing. */
+        To FCL a mesh is a surface, so a body entirely inside touches nothing. A point is inside if an upward ray
+        crosses the surface an odd number of times. Const functions are safe to call from several threads and allocate
+        nothing. */
     class ClosedMesh
     {
     public:
-        /** \param mesh its vertices are used where they are, so it must outlive this
-            \param name what an error calls it
-            \throw InputError where an edge belongs to an odd number of triangles: the surface has a rim. */
+        /** \param mesh its vertices are referenced, so it must outlive this object.
+            \param name used in error messages.
+            \throw InputError if an edge belongs to an odd number of triangles: the surface has a boundary. */
         ClosedMesh(const MeshGeometry &mesh, const std::string &name);
         ~ClosedMesh();
         ClosedMesh(const ClosedMesh &) = delete;
         ClosedMesh &operator=(const ClosedMesh &) = delete;
 
-        /** \brief Whether a point, in the frame of the mesh, is inside. Points on the surface may go either way. */
+        /** \brief Whether a point, in the frame of the mesh, is inside. Undefined for points on the surface. */
         bool contains(const fcl::Vector3d &point) const;
 
-        /** \brief A vertex of each connected part of the surface: where none of the surface touches a solid, each part
-            is inside of it or outside as a whole, as this vertex is. */
+        /** \brief One vertex of each connected component of the surface. If the surface touches no solid, each
+            component is inside or outside a solid exactly if its vertex is. */
         static std::vector<fcl::Vector3d> partVertices(const MeshGeometry &mesh);
 
     private:

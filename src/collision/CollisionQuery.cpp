@@ -45,7 +45,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        // The pose of every shape of the bodies, kept for the next query of the thread.
+        // Poses of all shapes of the bodies; the memory is reused by the next query of the thread.
         fcl::Transform3d *scratchPoses(std::size_t count)
         {
             thread_local std::vector<fcl::Transform3d> poses;
@@ -57,7 +57,7 @@ namespace ompl_mfa::collision
         }
     }  // namespace
 
-    // What a callback of the broadphase knows of the query that it serves.
+    // Data of a query for the callbacks of the broadphase.
     struct CollisionQuery::PartQuery
     {
         const Part &part;

@@ -45,7 +45,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        // Bounds what grazing costs; a motion that needs more counts as touching.
+        // Bounds the cost of grazing motions; a motion that needs more steps counts as touching.
         constexpr int MAXIMUM_STEPS = 1000;
 
         fcl::Vector3d velocity(const MovingShape &shape)
@@ -58,8 +58,9 @@ namespace ompl_mfa::collision
             return shape.motion != nullptr ? std::abs(shape.motion->angle) * shape.reach : 0.;
         }
 
-        // Two convex shapes cannot meet before they have closed the gap between two parallel planes, so only the
-        // speed across these counts. The next planes are laid where the last ones would meet at the earliest.
+        // Two convex shapes cannot meet before they have closed the gap between two parallel separating planes, so only
+        // the speed normal to these counts. The next planes are computed at the earliest time at which the last ones
+        // could meet.
         double advanceConvex(const PairFunctions &functions, const MovingShape &a, const MovingShape &b,
                              double tolerance, double end)
         {
@@ -83,15 +84,16 @@ namespace ompl_mfa::collision
                 {
                     return end;
                 }
-                // Where the planes are still the tolerance apart, with as much again against rounding.
+                // The planes are still the tolerance apart there, with the same margin again for rounding errors.
                 reached = next + std::max(0., gap.lower - 2. * tolerance) / speed;
                 next += gap.lower / speed;
             }
             return reached;
         }
 
-        // Of other shapes nothing is known but how far apart they are. A distance at the middle of an interval covers
-        // as much before it as behind it; what is left of the interval is covered in turn, the earlier part first.
+        // Without separating planes only the distance is known. A distance at the middle of an interval covers the same
+        // duration before and after it; the two remainders of the interval are covered recursively, the earlier one
+        // first.
         class IntervalCover
         {
         public:
@@ -128,15 +130,16 @@ namespace ompl_mfa::collision
             }
 
         private:
-            // A distance is the cheaper to find the less of it is asked for: shapes that travel by about their own size
-            // at a time were fastest in the worlds of the micro-benchmark.
+            // Distance queries are cheaper with a smaller limit: intervals in which shapes travel by about their own
+            // size were fastest in the worlds of the micro-benchmark.
             int pieceCount(double end) const
             {
                 const double size = (a_.motion != nullptr ? a_ : b_).geometry->aabb_radius;
                 return size > 0. ? static_cast<int>(std::clamp(speed_ * end / size, 4., 32.)) : 32;
             }
 
-            // A collision check costs a tenth of a distance or less, and most motions that collide do so for long.
+            // A collision check takes at most a tenth of the time of a distance query, and most colliding motions
+            // collide over a long section.
             bool someStateCollides(double end)
             {
                 for (const double share : {1., 0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875})
@@ -161,13 +164,13 @@ namespace ompl_mfa::collision
                 open_[size_++] = {low, high};
             }
 
-            // False where the shapes touch so early in the interval that nothing after its begin is known to be free.
+            // False if the shapes touch so early that nothing after the beginning of the interval is known to be free.
             bool cover(double low, double high)
             {
                 const double middle = 0.5 * (low + high);
                 const double half = 0.5 * (high - low);
                 place(middle);
-                // A hair more than is needed, against rounding, and never 0.
+                // Slightly more than needed because of rounding errors, and never 0.
                 search_.limit = speed_ * half * 1.000001 + goal_.tolerance;
                 const double distance =
                     functions_.distance(*a_.geometry, poseA_, *b_.geometry, poseB_, search_) - goal_.tolerance;
@@ -181,7 +184,7 @@ namespace ompl_mfa::collision
                     {
                         return false;
                     }
-                    // Free states between the begin and the contact are still worth finding; nothing after it is.
+                    // Only free states before the contact are still of interest.
                     size_ = 0;
                     push(middle, middle);
                     push(low, middle);
@@ -193,7 +196,7 @@ namespace ompl_mfa::collision
                 return true;
             }
 
-            // To which share of a motion its first contact is found.
+            // Resolution of the first contact, as a fraction of the motion.
             static constexpr double CONTACT_RESOLUTION = 1e-4;
 
             const PairFunctions &functions_;
@@ -205,7 +208,8 @@ namespace ompl_mfa::collision
             fcl::Transform3d poseA_;
             fcl::Transform3d poseB_;
 
-            // Earlier intervals last. Each is less than half as long as the one below it, so this holds any motion.
+            // A stack, the earliest interval on top. Each is less than half as long as the one below it, so this
+            // capacity suffices for any motion.
             std::array<std::pair<double, double>, 128> open_;
             std::size_t size_{0};
         };

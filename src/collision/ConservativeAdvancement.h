@@ -42,35 +42,35 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A shape on its way, or at rest where it has no motion. */
+    /** \brief A shape that moves with its body, or is at rest. */
     struct MovingShape
     {
         const fcl::CollisionGeometryd *geometry;
 
-        /** \brief From the shape to its body, or to the world where it is at rest. */
+        /** \brief Pose of the shape relative to its body, or in the world if at rest. */
         const fcl::Transform3d *pose;
 
         /** \brief Motion of the body; null at rest. */
         const BodyMotion *motion{nullptr};
 
-        /** \brief Bound on how far a rotation by one radian displaces the shape. */
+        /** \brief Upper bound on the displacement of the shape by a rotation of one radian. */
         double reach{0.};
 
-        /** \brief Pose in the world at share t. */
+        /** \brief Pose in the world at t in [0, 1]. */
         void place(double t, fcl::Transform3d &world) const;
     };
 
     struct AdvancementGoal
     {
-        /** \brief Shapes that are this close touch. */
+        /** \brief Shapes at most this far apart count as touching. */
         double tolerance;
 
-        /** \brief Whether it only matters if the whole motion is free. */
+        /** \brief Whether only a motion that is free as a whole is of interest. */
         bool untilFirst;
     };
 
-    /** \brief Share of the motion up to which two shapes stay more than the tolerance apart; `end` where that is all
-        of [0, end]. */
+    /** \brief Fraction of the motion up to which two shapes stay more than the tolerance apart; `end` if they do so in
+        all of [0, end]. */
     double advancePair(const PairFunctions &functions, const MovingShape &a, const MovingShape &b,
                        const AdvancementGoal &goal, double end);
 }  // namespace ompl_mfa::collision

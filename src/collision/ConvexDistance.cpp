@@ -119,7 +119,7 @@ namespace ompl_mfa::collision
             default:
                 break;
         }
-        // The origin is inside where it sees every face from the side of the fourth corner.
+        // The origin is inside if it is on the same side of every face as the opposite corner.
         const double volume = determinant(p[1] - p[0], p[2] - p[0], point - p[0]);
         const std::array<double, 4> parts{determinant(p[1], p[2], point), -determinant(p[0], p[2], point),
                                           determinant(p[0], p[1], point), -determinant(p[0], p[1], p[2])};

@@ -47,7 +47,7 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A triangle of a mesh, placed by its corners. */
+    /** \brief A triangle of a mesh, given by its corners. */
     template <>
     struct ShapeTraits<fcl::TrianglePd> : ShapeDefaults
     {
@@ -60,24 +60,24 @@ namespace ompl_mfa::collision
         }
     };
 
-    /** \brief What is known of the distance between two convex shapes. */
+    /** \brief Bounds on the distance between two convex shapes. */
     struct ConvexSeparation
     {
-        /** \brief Certified: a plane between the shapes keeps them this far apart. At most 0 where none was found. */
+        /** \brief Certified lower bound, proved by a separating plane. At most 0 if none was found. */
         double lower{-std::numeric_limits<double>::infinity()};
 
-        /** \brief Certified: two points of the shapes are this close. */
+        /** \brief Certified upper bound: the distance of two points of the shapes. */
         double upper{std::numeric_limits<double>::infinity()};
 
-        /** \brief Unit normal of that plane, from the second shape to the first, in the world. */
+        /** \brief Unit normal of the separating plane in world coordinates, from the second shape to the first. */
         fcl::Vector3d normal{fcl::Vector3d::UnitX()};
     };
 
-    /** \brief A simplex of up to four points of a Minkowski difference, and its point closest to the origin. */
+    /** \brief A simplex of up to four points of a Minkowski difference, and its closest point to the origin. */
     class ClosestSimplex
     {
     public:
-        /** \brief Add a point, and keep only the corners of the feature that is then closest to the origin. */
+        /** \brief Add a point, and keep only the corners of the feature closest to the origin. */
         void add(const fcl::Vector3d &point);
 
         const fcl::Vector3d &closest() const
@@ -111,13 +111,13 @@ namespace ompl_mfa::collision
         bool containsOrigin_{false};
     };
 
-    /** \brief Distance of two convex shapes, closed in from both sides until the bounds agree to 1e-11 of their size,
-        or, with `decideOnly`, until it is known whether they touch.
+    /** \brief Bound the distance of two convex shapes from both sides until the bounds agree to 1e-11 of the shapes'
+        size or, with `decideOnly`, until it is known whether they touch.
 
-        FCL's own solvers stop on small progress, which bounds nothing: distances of cones and cylinders came out wrong
-        by up to their size (docs/collision.md). Here the lower bound holds whenever the iteration ends.
-        Source: E. Gilbert, D. Johnson, S. Keerthi, A fast procedure for computing the distance between complex
-        objects in three-dimensional space, IEEE J. Robotics and Automation 4(2), 1988. */
+        FCL's own solvers terminate on small progress, which does not bound the error: distances of cones and cylinders
+        are wrong by up to their size (docs/collision.md). Here the lower bound holds whenever the iteration ends.
+        Source: E. Gilbert, D. Johnson, S. Keerthi, A fast procedure for computing the distance between complex objects
+        in three-dimensional space, IEEE J. Robotics and Automation 4(2), 1988. */
     template <typename ShapeA, typename ShapeB>
     ConvexSeparation separate(const ShapeA &a, const fcl::Transform3d &poseA, const ShapeB &b,
                               const fcl::Transform3d &poseB, bool decideOnly)

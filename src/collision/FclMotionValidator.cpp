@@ -49,7 +49,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        // To which share of a motion it is found out where it leaves the bounds.
+        // Resolution at which a motion leaves the bounds, as a fraction of the motion.
         constexpr double BOUNDS_RESOLUTION = 1e-9;
 
         // OMPL's counters are plain integers, and planners check motions from several threads.

@@ -51,7 +51,7 @@ namespace ompl_mfa::collision
 {
     using BoundingVolume = fcl::OBBRSS<double>;
 
-    // FCL copies the points that it asks for even where no request of ours reads them.
+    // FCL copies the closest points even if no request of ours reads them.
     inline void clearPoints(fcl::Vector3d *first, fcl::Vector3d *second)
     {
         for (fcl::Vector3d *point : {first, second})
@@ -63,7 +63,7 @@ namespace ompl_mfa::collision
         }
     }
 
-    // What FCL's traversals of meshes and occupancy maps ask about single triangles and cells.
+    // The solver that FCL's traversals of meshes and occupancy maps use for single triangles and cells.
     struct CertifiedSolver : fcl::detail::GJKSolver_libccd<double>
     {
         template <typename A, typename B>
@@ -126,8 +126,8 @@ namespace ompl_mfa::collision
         }
     };
 
-    // FCL fits the volume around a primitive again for each query, on the heap. The box of the primitive does as
-    // well; its thinnest side is the roundness of the rectangle that distances are taken to.
+    // FCL fits the bounding volume of a primitive in each query, on the heap. Its bounding box serves as well; its
+    // thinnest side becomes the radius of the rectangle swept sphere that distances are measured to.
     template <typename Shape>
     BoundingVolume volumeAround(const Shape &shape, const fcl::Transform3d &pose)
     {
@@ -152,7 +152,7 @@ namespace ompl_mfa::collision
         return volume;
     }
 
-    // As FCL's initialize() does for both kinds of node, but for the volume.
+    // As FCL's initialize() for both kinds of node, except for the bounding volume.
     template <typename Node, typename Shape, typename Request, typename Result>
     void setUpTraversal(Node &node, const MeshGeometry &mesh, const fcl::Transform3d &meshPose, const Shape &shape,
                         const fcl::Transform3d &shapePose, const CertifiedSolver &solver, const Request &request,
@@ -176,10 +176,10 @@ namespace ompl_mfa::collision
         return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
     }
 
-    // FCL's distance of two triangles takes those with sides below 2e-4 for their edges, in whatever unit.
+    // FCL's distance of two triangles treats those with sides below 2e-4, in any unit, as their edges.
     struct MeshDistanceNode : fcl::detail::MeshDistanceTraversalNodeOBBRSS<double>
     {
-        // Any pair gives a bound to begin with.
+        // Any pair of triangles yields an initial upper bound.
         void preprocess() override
         {
             testTriangles(0, 0);

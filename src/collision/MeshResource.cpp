@@ -55,7 +55,7 @@ namespace ompl_mfa::collision
             return at == std::string::npos ? -1 : static_cast<int>(at % 16);
         }
 
-        // An address writes a space as %20.
+        // A URL writes a space as %20.
         std::string decoded(const std::string &address)
         {
             std::string text;
@@ -96,7 +96,7 @@ namespace ompl_mfa::collision
             for (const std::filesystem::path &folder : folders)
             {
                 places.push_back(folder / package / rest);
-                // Whether the folder is written with a slash at its end or without.
+                // With or without a trailing slash.
                 if ((folder / "").parent_path().filename() == package)
                 {
                     places.push_back(folder / rest);

@@ -71,7 +71,7 @@ namespace ompl_mfa::collision
         {
             if (transform.child == transform.parent)
             {
-                // So MoveIt writes the planning frame itself.
+                // MoveIt writes the planning frame as a transform to itself.
                 if (!transform.pose.matrix().isIdentity(1e-9))
                 {
                     throw InputError(transform.place + ": fixed_frame_transforms displace the frame '" +

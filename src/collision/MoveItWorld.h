@@ -49,36 +49,35 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A transform of `fixed_frame_transforms`. */
+    /** \brief An entry of `fixed_frame_transforms`. */
     struct FixedTransform
     {
-        /** \brief Name of the frame that it is given in; empty is the planning frame. */
+        /** \brief Name of the parent frame; empty means the planning frame. */
         std::string parent;
 
-        /** \brief Name of the frame that it places. */
+        /** \brief Name of the child frame. */
         std::string child;
 
         fcl::Transform3d pose{fcl::Transform3d::Identity()};
 
-        /** \brief File and line, for an error. */
+        /** \brief File and line, for error messages. */
         std::string place;
     };
 
-    /** \brief What the frames of a planning scene's fixed transforms are called, and where they are. */
+    /** \brief Names and poses of the frames of a planning scene's fixed transforms. */
     class FixedFrames
     {
     public:
         FixedFrames() = default;
 
-        /** \brief The planning frame is the one frame that transforms are given in and none places; where no transform
-            names it, "world".
-            \throw InputError where there are two such frames, one is placed twice, or they form a circle. */
+        /** \brief The planning frame is the only parent frame that is not a child; "world" if there is none.
+            \throw InputError if there are two such frames, a frame has two transforms, or transforms form a cycle. */
         explicit FixedFrames(const std::vector<FixedTransform> &transforms);
 
-        /** \brief From the frame to the planning frame, which also the empty name means; empty where it is unknown. */
+        /** \brief Pose of the frame in the planning frame (also named by the empty name); empty if it is unknown. */
         std::optional<fcl::Transform3d> find(const std::string &name) const;
 
-        /** \brief The names that are known, for an error. */
+        /** \brief The known names, for error messages. */
         std::string names() const;
 
     private:
@@ -91,7 +90,7 @@ namespace ompl_mfa::collision
         std::map<std::string, fcl::Transform3d> frames_;
     };
 
-    /** \brief The objects of a planning scene by their names, as the operations of its messages leave them. */
+    /** \brief The objects of a planning scene by name, after the operations applied so far. */
     class MoveItWorld
     {
     public:
@@ -99,7 +98,7 @@ namespace ompl_mfa::collision
         {
             std::shared_ptr<fcl::CollisionGeometryd> geometry;
 
-            /** \brief From the shape to its object. */
+            /** \brief Pose of the shape in its object. */
             fcl::Transform3d pose{fcl::Transform3d::Identity()};
 
             /** \brief As in CollisionObject. */
@@ -110,31 +109,30 @@ namespace ompl_mfa::collision
         {
             std::string id;
 
-            /** \brief From the object to the planning frame. */
+            /** \brief Pose of the object in the planning frame. */
             fcl::Transform3d pose{fcl::Transform3d::Identity()};
 
             std::vector<Shape> shapes;
 
-            /** \brief Named frames of the object, in it. */
+            /** \brief Poses of the subframes in the object, by name. */
             std::map<std::string, fcl::Transform3d> subframes;
         };
 
-        /** \brief Add an object, in the place of one that has its name.
+        /** \brief Add an object, replacing one of the same name.
             \return whether there was one. */
         bool add(Object object);
 
-        /** \brief Add the shapes and subframes to the object of this name where they are; a new one where there is
-            none. */
+        /** \brief Append the shapes and subframes to the object of this name, which is created if there is none. */
         void append(const Object &object);
 
         /** \brief Move an object. \return whether there is one of this name. */
         bool move(const std::string &id, const fcl::Transform3d &pose);
 
-        /** \brief Remove an object; all of them where the name is empty.
+        /** \brief Remove an object, or all if the name is empty.
             \return whether there is one of this name. */
         bool remove(const std::string &id);
 
-        /** \brief From the frame of an object (its name) or of a subframe (`object/subframe`) to the planning frame. */
+        /** \brief Pose of an object (by its name) or of a subframe (`object/subframe`) in the planning frame. */
         std::optional<fcl::Transform3d> findFrame(const std::string &name) const;
 
         /** \brief All shapes as obstacles. */
@@ -146,7 +144,7 @@ namespace ompl_mfa::collision
         std::vector<Object> objects_;
     };
 
-    /** \brief Names of frames may begin with a slash, which says nothing. */
+    /** \brief A leading slash in a frame's name is ignored. */
     std::string withoutSlash(const std::string &frame);
 }  // namespace ompl_mfa::collision
 

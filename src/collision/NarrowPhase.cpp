@@ -50,7 +50,7 @@ namespace ompl_mfa::collision
         using Geometry = fcl::CollisionGeometryd;
         using Pose = fcl::Transform3d;
 
-        // FCL keeps the contact that it finds in a vector: its memory is kept for the next query of the thread.
+        // FCL stores the contact in a vector, whose memory is reused by the next query of the thread.
         fcl::CollisionResultd &clearedResult()
         {
             thread_local fcl::CollisionResultd result;
@@ -58,7 +58,7 @@ namespace ompl_mfa::collision
             return result;
         }
 
-        // Upper bound on a distance from the triangles that were closest before; infinite where there are none.
+        // Upper bound on a distance from the triangles that were closest last time; infinite if there are none.
         template <typename A, typename B>
         double rememberedDistance(const A &a, const Pose &poseA, const B &b, const Pose &poseB,
                                   const DistanceSearch &search)
@@ -81,7 +81,7 @@ namespace ompl_mfa::collision
             return std::numeric_limits<double>::infinity();
         }
 
-        // FCL has a mesh before a primitive, and a map before both.
+        // FCL expects a mesh before a primitive, and a map before both.
         template <typename A, typename B>
         constexpr bool IN_ORDER = std::is_same_v<A, OccupancyTree> ||
                                   (std::is_same_v<A, MeshGeometry> && !std::is_same_v<B, OccupancyTree>);
@@ -115,7 +115,7 @@ namespace ompl_mfa::collision
             {
                 const double distance =
                     separateShapes(static_cast<const A &>(a), poseA, static_cast<const B &>(b), poseB, false).lower;
-                // A plane that does not separate two shapes tells little of how deep they are in each other.
+                // A plane that does not separate two shapes says little about their penetration depth.
                 return std::min(search.limit, DEPTH_IS_KNOWN<A, B> ? distance : std::max(0., distance));
             }
             else if constexpr (IN_ORDER<A, B>)

@@ -45,36 +45,36 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief What a distance is asked for, and what is remembered for the next question about the same pair. */
+    /** \brief Options of a distance query, and data kept for the next query of the same pair. */
     struct DistanceSearch
     {
-        /** \brief Distances from here on are all the same. */
+        /** \brief Distances of at least this are not resolved. */
         double limit;
 
-        /** \brief Triangles of the two meshes that were closest last; they bound the distance from above. */
+        /** \brief Triangles of the two meshes that were closest last time; they bound the distance from above. */
         intptr_t nearestA{-1};
         intptr_t nearestB{-1};
     };
 
-    /** \brief How one pair of shapes is checked. The geometries are given in the order of the table. */
+    /** \brief Functions that check a pair of shapes, whose geometries are passed in the order of the table. */
     struct PairFunctions
     {
         /** \brief Whether the two touch. */
         bool (*collide)(const fcl::CollisionGeometryd &, const fcl::Transform3d &, const fcl::CollisionGeometryd &,
                         const fcl::Transform3d &);
 
-        /** \brief Distance; minus the depth where the two overlap and it is known in closed form, else 0; the limit
-         * where it is no less than that. */
+        /** \brief Distance, or the limit if that is smaller. If the two overlap, minus the depth if it is known in
+            closed form, else 0. */
         double (*distance)(const fcl::CollisionGeometryd &, const fcl::Transform3d &, const fcl::CollisionGeometryd &,
                            const fcl::Transform3d &, DistanceSearch &search);
 
-        /** \brief Distance with the plane that proves it; null where one of the two is not convex. */
+        /** \brief Distance with the separating plane that proves it; null if one of the two is not convex. */
         ConvexSeparation (*separate)(const fcl::CollisionGeometryd &, const fcl::Transform3d &,
                                      const fcl::CollisionGeometryd &, const fcl::Transform3d &);
     };
 
-    /** \brief The functions for a pair. Primitives, meshes and occupancy maps go with each other in any order.
-        \throw std::invalid_argument where FCL's geometry is of another kind. */
+    /** \brief The functions for a pair. Primitives, meshes and occupancy maps may be combined in any order.
+        \throw std::invalid_argument if FCL's geometry is of another kind. */
     const PairFunctions &pairFunctions(const fcl::CollisionGeometryd &a, const fcl::CollisionGeometryd &b);
 }  // namespace ompl_mfa::collision
 

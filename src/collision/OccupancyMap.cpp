@@ -56,8 +56,8 @@ namespace ompl_mfa::collision
         const std::string FULL_HEADER = "# Octomap OcTree file";
         constexpr unsigned int TREE_DEPTH = 16;
 
-        // OctoMap itself reads on past the end of a truncated file and recurses as deep as a broken one tells it to.
-        // So the nodes are walked first, with nothing but their lists of children.
+        // OctoMap itself reads past the end of a truncated file and recurses to any depth in a corrupt one. So the
+        // nodes are traversed first by their lists of children alone.
         class NodeWalk
         {
         public:
@@ -68,7 +68,7 @@ namespace ompl_mfa::collision
             {
             }
 
-            // Counts nodes; false where the file ends early or a branch is deeper than an OctoMap can be.
+            // Counts nodes; false if the file ends early or a branch is deeper than OctoMap allows.
             bool walk(unsigned int depth = 0)
             {
                 ++nodes_;
@@ -80,7 +80,7 @@ namespace ompl_mfa::collision
                 return nodes_;
             }
 
-            // Where the walk has come to in the content.
+            // Position of the traversal in the content.
             std::size_t position() const
             {
                 return position_;
@@ -189,7 +189,7 @@ namespace ompl_mfa::collision
             fail(file, 1, "OctoMap header has no 'data' line");
         }
 
-        // Coordinates reach to 2^15 cells from the origin.
+        // Coordinates reach 2^15 cells from the origin.
         bool isResolution(double value)
         {
             return value > 0. && value <= LARGEST_COORDINATE / 32768.;
@@ -235,7 +235,7 @@ namespace ompl_mfa::collision
             return false;
         }
 
-        // Null where no cell is occupied.
+        // Null if no cell is occupied.
         std::shared_ptr<fcl::OcTree<double>> makeGeometry(const std::shared_ptr<octomap::OcTree> &tree)
         {
             if (!hasOccupiedCell(*tree))

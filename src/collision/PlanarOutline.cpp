@@ -54,7 +54,7 @@ namespace ompl_mfa::collision
             double zMax;
         };
 
-        // What the slab keeps of a convex solid, seen from above.
+        // The section of a convex solid within the slab, seen from above.
         template <typename Shape>
         class ConvexOutline
         {
@@ -66,7 +66,7 @@ namespace ompl_mfa::collision
             {
             }
 
-            // Counter-clockwise. Empty where the slab keeps nothing, two corners where it keeps a segment.
+            // Counter-clockwise. Empty if there is no section, two corners if it is a segment.
             Polygon trace()
             {
                 Polygon sides;
@@ -114,9 +114,9 @@ namespace ompl_mfa::collision
                 return point.head<2>();
             }
 
-            // `beyond` is farthest of all, but on the far side of the plane. Where the direction turns towards the
-            // plane, the farthest point of the solid comes nearer to it; the two between which it steps over the plane
-            // are the ends of an edge, or next to each other on a curve.
+            // `beyond` is the farthest point, but on the far side of the plane. As the direction turns towards the
+            // plane, the farthest point of the solid approaches it; the two points between which it crosses the plane
+            // are the ends of an edge, or neighbours on a curve.
             std::optional<Eigen::Vector2d> farthestOnPlane(const fcl::Vector3d &outward, fcl::Vector3d beyond, double z,
                                                            const fcl::Vector3d &towards) const
             {
@@ -141,7 +141,7 @@ namespace ompl_mfa::collision
                 return crossing.head<2>();
             }
 
-            // Adds the corners between two others: the farthest point across the edge, and so on beside it.
+            // Adds the corners between two others recursively: first the farthest point from the edge between them.
             void refine(const Eigen::Vector2d &a, const Eigen::Vector2d &b, int depth)
             {
                 const Eigen::Vector2d edge = b - a;
@@ -160,7 +160,7 @@ namespace ompl_mfa::collision
                 refine(*corner, b, depth - 1);
             }
 
-            // Whether `corner` is but a point of the segment between its neighbours, or one of them.
+            // Whether `corner` lies on the segment between its neighbours.
             bool isOnEdge(const Eigen::Vector2d &before, const Eigen::Vector2d &corner,
                           const Eigen::Vector2d &after) const
             {
@@ -195,7 +195,7 @@ namespace ompl_mfa::collision
                 }
             }
 
-            // Of each quarter of the outline: a circle gets 128 corners.
+            // Per quarter of the outline: a circle gets 128 corners.
             static constexpr int REFINEMENTS = 5;
 
             const Shape &shape_;
@@ -236,7 +236,7 @@ namespace ompl_mfa::collision
             }
         }
 
-        // A shape is connected: it reaches all heights between its lowest and its highest.
+        // A shape is connected, so it reaches all heights between its lowest and its highest point.
         template <typename Shape>
         bool reaches(const Shape &shape, const fcl::Transform3d &pose, const Slab &slab)
         {

@@ -112,7 +112,7 @@ namespace ompl_mfa::collision
             }
 
         private:
-            // A robot is one rigid body here. What belongs to the links of an arm has no place, and would be missing.
+            // A robot is one rigid body here, so anything attached to the links of an arm would be missing.
             void refuseRobot(const YAML::Node &root) const
             {
                 if (YamlFile::has(root, "robot_state"))
@@ -186,7 +186,7 @@ namespace ompl_mfa::collision
                 frames_ = FixedFrames(transforms);
             }
 
-            // The frame that the header of a message names; empty where none is named.
+            // The frame in the header of a message; empty if there is none.
             std::string frameName(const YAML::Node &message) const
             {
                 if (!YamlFile::has(message, "header"))
@@ -213,7 +213,7 @@ namespace ompl_mfa::collision
                                frames_.names() + ", and what fixed_frame_transforms place");
             }
 
-            // A map that was never filled has no data.
+            // An unset map has no data.
             void readOctomap(const YAML::Node &octomap)
             {
                 yaml_.checkKeys(octomap, "octomap", {"header", "origin", "octomap"});
@@ -229,14 +229,14 @@ namespace ompl_mfa::collision
                     return;
                 }
                 const auto geometry = makeOctomap(map, nodes);
-                // MoveIt reads the outer header.
+                // MoveIt uses the outer header.
                 fcl::Transform3d pose = findFrame(frameName(octomap).empty() ? map : octomap, "octomap");
                 if (YamlFile::has(octomap, "origin"))
                 {
                     pose = pose * readPose(octomap["origin"]);
                 }
                 unset_.warn(yaml_.place(octomap) + ": octomap");
-                // Free space is no obstacle.
+                // A map of free space only is not an obstacle.
                 if (geometry)
                 {
                     world_.add({OCTOMAP_ID, pose, {{geometry}}, {}});
@@ -320,7 +320,7 @@ namespace ompl_mfa::collision
                 unset_.warn(yaml_.place(node) + ": object '" + id + "'");
             }
 
-            // By number or name. A byte, which the message has, is printed as text by some.
+            // By number or name. Some tools print the byte of the message as text.
             Operation readOperation(const YAML::Node &node) const
             {
                 if (!YamlFile::has(node, "operation"))
@@ -395,7 +395,7 @@ namespace ompl_mfa::collision
                 }
                 if (object.shapes.size() == 1 && object.pose.matrix().isIdentity(0.))
                 {
-                    // So does MoveIt, and others may stand in the frame of the object.
+                    // As in MoveIt; other objects may be placed in the frame of this one.
                     std::swap(object.pose, object.shapes.front().pose);
                 }
                 object.pose = findFrame(node, "object '" + id + "'") * object.pose;

@@ -50,7 +50,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        // A number or, where it has a size for its length, a list of them. Sizes are in bytes.
+        // A number or, if a size for its length is given, a list. Sizes are in bytes.
         struct Property
         {
             std::size_t lengthSize{0};
@@ -64,7 +64,7 @@ namespace ompl_mfa::collision
             std::vector<Property> properties;
         };
 
-        // 0 for a type that PLY does not have.
+        // 0 for an unknown type.
         std::size_t sizeOf(const std::string &type)
         {
             struct Type
@@ -91,7 +91,7 @@ namespace ompl_mfa::collision
             return 0;
         }
 
-        // A line that ends as on Unix, Windows or old Macs, and is not blank. Lines of a header are short.
+        // The next line that is not blank, with Unix, Windows or classic Mac line ends. Lines of a header are short.
         bool nextLine(std::istream &stream, std::string &line)
         {
             constexpr std::size_t LONGEST = 4096;
@@ -126,7 +126,7 @@ namespace ompl_mfa::collision
             {
             }
 
-            // False for a file of another kind, and where the header has no end; assimp has its own words for that.
+            // False for a file of another kind or without the end of a header, which assimp reports.
             bool readHeader()
             {
                 std::string line;
@@ -165,7 +165,7 @@ namespace ompl_mfa::collision
                 return elements_;
             }
 
-            // The first element of which the file has not all; null where it is whole.
+            // The first element that is incomplete; null if the file is complete.
             const Element *firstCutElement()
             {
                 for (const Element &element : elements_)
@@ -207,7 +207,7 @@ namespace ompl_mfa::collision
             {
                 for (std::size_t i = 0; i < element.count; ++i)
                 {
-                    // A line may be longer than nextLine() takes it.
+                    // A line may be longer than nextLine() accepts.
                     stream_ >> std::ws;
                     if (stream_.peek() == std::istream::traits_type::eof())
                     {

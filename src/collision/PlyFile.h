@@ -41,11 +41,11 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief Throws InputError where a PLY file holds triangle strips or ends before the elements that its header
-        announces. Files of other kinds pass.
+    /** \brief Throws InputError if a PLY file contains triangle strips or fewer elements than its header declares.
+        Accepts files of other kinds.
 
-        assimp keeps one triangle of each strip, takes the last face again for those that are missing from a text file,
-        and reads on past the end of a binary one. */
+        assimp keeps one triangle of each strip, repeats the last face for those missing from a text file, and reads
+        past the end of a binary one. */
     void requireWholePly(const std::filesystem::path &file);
 }  // namespace ompl_mfa::collision
 

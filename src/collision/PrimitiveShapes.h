@@ -53,36 +53,36 @@
 
 #include "ompl_mfa/collision/Primitive.h"
 
-/* The one place where kinds of primitives are described. To add a kind, specialise ShapeTraits for FCL's shape and name
-   the shape in Primitives at the end: files, boxes, radii, pictures, collisions and distances all follow from these. */
+/* The definitions of all kinds of primitives. To add a kind, specialise ShapeTraits for FCL's shape and list the shape
+   in Primitives at the end: files, bounding boxes, radii, pictures, collisions and distances all derive from these. */
 
 namespace ompl_mfa::collision
 {
-    /** \brief FCL's shape. \tparam Order which dimension goes to each argument of its constructor. */
+    /** \brief Make FCL's shape. \tparam Order index of the dimension for each argument of its constructor. */
     template <typename Shape, std::size_t... Order>
     std::shared_ptr<fcl::CollisionGeometryd> makeShape(const std::vector<double> &dimensions)
     {
         return std::make_shared<Shape>(dimensions[Order]...);
     }
 
-    /** \brief What a kind of primitive may leave out. */
+    /** \brief Defaults for the optional members of ShapeTraits. */
     struct ShapeDefaults
     {
-        /** \brief The shape is what a ball of this radius sweeps whose centre moves through its core. */
+        /** \brief The shape is its core, swept by a ball of this radius. */
         static double margin(const fcl::ShapeBased & /*shape*/)
         {
             return 0.;
         }
 
-        /** \brief Whether there is a signedDistance(): that of a point, in the frame of the shape, to the core, minus
-            its depth inside. It sets the nearest point of the core where the point is outside. */
+        /** \brief Whether there is a signedDistance() of a point, in the frame of the shape, to the core: negative
+            inside. For a point outside it sets the nearest point of the core. */
         static constexpr bool HAS_SIGNED_DISTANCE = false;
     };
 
-    /** \brief A kind of primitive: convex, its origin inside. Each has
+    /** \brief A kind of primitive: convex, with its origin inside. Each has
         - `type`: FCL's node type of the shape,
-        - `kind`: what a planning scene says of it,
-        - `support`: the point of its core that is farthest along a direction, not null, of its own frame. */
+        - `kind`: its description in planning scenes,
+        - `support`: the farthest point of its core in a direction of its own frame, not the zero vector. */
     template <typename Shape>
     struct ShapeTraits;
 
@@ -117,7 +117,7 @@ namespace ompl_mfa::collision
     {
         static constexpr fcl::NODE_TYPE TYPE = fcl::GEOM_SPHERE;
 
-        // Of radius 0 it is a point.
+        // A sphere of radius 0 is a point.
         static PrimitiveKind kind()
         {
             return {"sphere", "2", {"radius"}, true, makeShape<fcl::Sphered, 0>};
@@ -148,7 +148,7 @@ namespace ompl_mfa::collision
     {
         static constexpr fcl::NODE_TYPE TYPE = fcl::GEOM_CYLINDER;
 
-        // shape_msgs/SolidPrimitive lists the height first, FCL takes the radius first.
+        // shape_msgs/SolidPrimitive lists the height first, FCL the radius.
         static PrimitiveKind kind()
         {
             return {"cylinder", "3", {"height", "radius"}, false, makeShape<fcl::Cylinderd, 1, 0>};
@@ -198,7 +198,7 @@ namespace ompl_mfa::collision
     {
         static constexpr fcl::NODE_TYPE TYPE = fcl::GEOM_CAPSULE;
 
-        // Not one of MoveIt's. Its height is that of the cylinder between the two half balls.
+        // Not in MoveIt. The height is that of the cylinder between the two hemispheres.
         static PrimitiveKind kind()
         {
             return {"capsule", "", {"height", "radius"}, false, makeShape<fcl::Capsuled, 1, 0>};

@@ -48,7 +48,7 @@
 
 namespace ompl_mfa::collision
 {
-    // An obstacle with the tightest box around it; FCL's own box is a box around a sphere once there is a rotation.
+    // An obstacle with its tightest bounding box; FCL's own box bounds a bounding sphere if there is a rotation.
     struct CollisionQuery::Obstacle : fcl::CollisionObjectd
     {
         Obstacle(const collision::CollisionObject &object, std::size_t position)
@@ -71,7 +71,8 @@ namespace ompl_mfa::collision
         std::unique_ptr<SolidInterior> solid;
     };
 
-    // One shape of a body. It owns no geometry, so that copying it, which a query does, counts no references.
+    // One shape of a body. Its geometry is not shared-owned, so that the copies made by queries update no reference
+    // counts.
     struct CollisionQuery::Part : fcl::CollisionObjectd
     {
         Part(std::size_t bodyIndex, const RigidBody::Shape &shape)
@@ -106,13 +107,13 @@ namespace ompl_mfa::collision
         bool isCentred;
         ShapeReach reach;
 
-        // How it is checked against each obstacle, and against each part.
+        // Functions for the pairs with each obstacle and each Part.
         std::vector<PairFunctions> obstacleFunctions;
         std::vector<PairFunctions> partFunctions;
         std::unique_ptr<SolidInterior> solid;
     };
 
-    // What the broadphase sees of a part. Its box is that of FCL, or the one that it sweeps.
+    // A Part as passed to the broadphase. Its bounding box is FCL's, or that of its swept motion.
     struct PlacedShape : fcl::CollisionObjectd
     {
         PlacedShape(const fcl::CollisionObjectd &shape, const fcl::Transform3d &world)

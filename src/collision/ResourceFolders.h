@@ -44,8 +44,8 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief The folders that the environment variable OMPL_MFA_RESOURCE_DIR names, in its order and separated by
-        colons: further places where files are sought. */
+    /** \brief Additional folders to search for files, from the environment variable OMPL_MFA_RESOURCE_DIR (separated by
+        colons), in its order. */
     OMPL_MFA_EXPORT std::vector<std::filesystem::path> resourceFolders();
 }  // namespace ompl_mfa::collision
 

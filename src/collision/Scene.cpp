@@ -44,7 +44,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        // The farthest points along the axes of the world, both ways.
+        // The farthest points along the axes of the world, in both directions.
         template <typename Shape>
         fcl::AABBd primitiveBox(const Shape &primitive, const fcl::Transform3d &pose)
         {

@@ -114,19 +114,19 @@ namespace ompl_mfa::collision
             return RigidBody({{makeMeshGeometry(mesh, offset), fcl::Transform3d::Identity(), mesh.skippedFaces}});
         }
 
-        // A kind of file: how its world and its robot are read.
+        // A kind of file, with its readers for worlds and robots.
         struct FileKind
         {
             const char *name;
             std::vector<std::string> extensions;
             Scene (*scene)(const std::filesystem::path &, const Folders &);
 
-            // Null where such a file cannot be a robot.
+            // Null if such a file cannot describe a robot.
             RigidBody (*robot)(const std::filesystem::path &, RobotCentring, const Folders &);
         };
 
-        // The one place where kinds of files are listed. The last reads whatever no other claims and assimp has a
-        // reader for, some fifty formats; its extensions are those that an error names.
+        // All kinds of files. The last one reads any other of the some fifty formats that assimp supports; its
+        // extensions are those listed in an error.
         const std::vector<FileKind> &fileKinds()
         {
             static const std::vector<FileKind> KINDS{

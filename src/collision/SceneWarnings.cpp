@@ -45,7 +45,7 @@ namespace ompl_mfa::collision
     void warnOfScene(const std::string &text)
     {
         std::string line = text;
-        // Names come from the file and may hold what a terminal obeys.
+        // Names come from the file and may contain terminal control characters.
         std::replace_if(
             line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
         OMPL_WARN("%s", line.c_str());
@@ -81,7 +81,7 @@ namespace ompl_mfa::collision
             unset.add(field + " (0 0 0 0)");
             return Eigen::Matrix3d::Identity();
         }
-        // Not of unit length to the digits that a file has is normal; next to zero has no direction at all.
+        // A length close to 1 is normal, as files have few digits; a length close to 0 gives no direction.
         const double length = xyzw.stableNorm();
         if (length < 1e-6)
         {

@@ -51,7 +51,7 @@ namespace ompl_mfa::collision
 {
     using OccupancyTree = fcl::OcTree<double>;
 
-    /** \brief Everything that an obstacle or a part of a body may be. */
+    /** \brief All types of obstacles and of the shapes of bodies. */
     using ShapeKinds =
         decltype(std::tuple_cat(std::declval<Primitives>(), std::declval<std::tuple<MeshGeometry, OccupancyTree>>()));
 
@@ -72,7 +72,7 @@ namespace ompl_mfa::collision
     }
 
     /** \brief Position in ShapeKinds.
-        \throw std::invalid_argument where FCL's geometry is of no such kind. */
+        \throw std::invalid_argument if FCL's geometry is of another type. */
     template <std::size_t Kind = 0>
     std::size_t kindOf(const fcl::CollisionGeometryd &geometry)
     {
@@ -88,7 +88,7 @@ namespace ompl_mfa::collision
         }
     }
 
-    /** \brief One call operator out of several lambdas. */
+    /** \brief Overload set of several lambdas. */
     template <typename... Lambdas>
     struct Overloaded : Lambdas...
     {
@@ -98,7 +98,7 @@ namespace ompl_mfa::collision
     template <typename... Lambdas>
     Overloaded(Lambdas...) -> Overloaded<Lambdas...>;
 
-    /** \brief What `visitor` returns for the geometry as the type that it is, which is ShapeKinds[kind]. */
+    /** \brief Result of `visitor` for the geometry, cast to its actual type ShapeKinds[kind]. */
     template <std::size_t Kind = 0, typename Visitor>
     auto visitShape(const fcl::CollisionGeometryd &geometry, std::size_t kind, const Visitor &visitor)
         -> std::invoke_result_t<const Visitor &, const MeshGeometry &>
@@ -120,7 +120,7 @@ namespace ompl_mfa::collision
         return visitShape(geometry, kindOf(geometry), visitor);
     }
 
-    /** \brief The smallest box around the core of a primitive (its points without the margin), in its own frame. */
+    /** \brief Smallest bounding box of the core of a primitive (the shape without its margin), in its own frame. */
     template <typename Shape>
     fcl::AABBd coreBox(const Shape &primitive)
     {

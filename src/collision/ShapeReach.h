@@ -41,20 +41,21 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief How far a shape reaches from the origin of a frame: bounds, exact for balls, boxes and meshes. */
+    /** \brief Upper bounds on how far a shape extends from the origin of a frame; exact for balls, boxes and meshes. */
     struct ShapeReach
     {
-        /** \brief Distance of its core from the origin, and so how far a rotation by one radian displaces the shape. */
+        /** \brief Distance from the origin to the farthest point of the core: bounds the displacement by a rotation of
+            one radian. */
         double core{0.};
 
-        /** \brief The same from the z axis, and for rotations about it. */
+        /** \brief As `core`, but from the z axis, for rotations about it. */
         double planarCore{0.};
 
-        /** \brief What the shape has around its core. */
+        /** \brief Radius of the ball that sweeps the core. */
         double margin{0.};
     };
 
-    /** \param pose from the shape to the frame. */
+    /** \param pose of the shape in the frame. */
     ShapeReach shapeReach(const fcl::CollisionGeometryd &geometry, const fcl::Transform3d &pose);
 }  // namespace ompl_mfa::collision
 

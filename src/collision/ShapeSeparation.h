@@ -46,13 +46,13 @@ namespace ompl_mfa::collision
     template <typename Shape>
     constexpr bool IS_BALL = std::is_same_v<Shape, fcl::Sphered>;
 
-    /** \brief Whether the depth of an overlap is known, in closed form. */
+    /** \brief Whether the penetration depth is known in closed form. */
     template <typename A, typename B>
     constexpr bool DEPTH_IS_KNOWN = (IS_BALL<A> && ShapeTraits<B>::HAS_SIGNED_DISTANCE) ||
                                     (IS_BALL<B> && ShapeTraits<A>::HAS_SIGNED_DISTANCE);
 
-    /** \brief In closed form: a ball meets a shape where that is nearest to its centre. Where they overlap, both bounds
-        are minus the depth. */
+    /** \brief Distance of a ball to a shape in closed form, from the shape's nearest point to its centre. If they
+        overlap, both bounds are minus the depth. */
     template <typename Shape>
     ConvexSeparation separateBall(const fcl::Sphered &ball, const fcl::Transform3d &ballPose, const Shape &shape,
                                   const fcl::Transform3d &shapePose)
@@ -70,7 +70,7 @@ namespace ompl_mfa::collision
         return result;
     }
 
-    /** \brief As separate() does, in closed form where there is one. */
+    /** \brief As separate(), in closed form if there is one. */
     template <typename A, typename B>
     ConvexSeparation separateShapes(const A &a, const fcl::Transform3d &poseA, const B &b,
                                     const fcl::Transform3d &poseB, bool decideOnly)

@@ -45,23 +45,24 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A shape where meshes stand for solids: its inside, if it is a mesh, and a point of each connected part of
-        it, of which a solid that nothing touches holds all or nothing. */
+    /** \brief Containment tests for shapes when meshes are solids: the interior, if the shape is a mesh, and one point
+        of each of its connected components. A solid that touches none of these contains a component entirely or not at
+        all. */
     class SolidInterior
     {
     public:
-        /** \param name what an error calls the shape
-            \throw InputError where the shape is a mesh that is not closed. */
+        /** \param name of the shape in error messages.
+            \throw InputError if the shape is a mesh that is not closed. */
         SolidInterior(const fcl::CollisionGeometryd &geometry, const std::string &name);
 
-        /** \brief Whether one of two shapes is wholly inside the other. Their surfaces must not touch. */
+        /** \brief Whether one of two shapes is entirely inside the other. Their surfaces must not touch. */
         static bool oneHoldsTheOther(const SolidInterior &a, const fcl::Transform3d &poseA, const SolidInterior &b,
                                      const fcl::Transform3d &poseB);
 
     private:
         bool holds(const fcl::Transform3d &pose, const SolidInterior &other, const fcl::Transform3d &otherPose) const;
 
-        // Null where the shape is no mesh: primitives and cells hold what they touch.
+        // Null if the shape is not a mesh: FCL treats primitives and cells as solids.
         std::unique_ptr<ClosedMesh> inside_;
         std::vector<fcl::Vector3d> witnesses_;
     };

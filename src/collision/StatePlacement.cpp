@@ -176,7 +176,7 @@ namespace ompl_mfa::collision
             const double sine = turn.vec().norm();
             if (sine > 0.)
             {
-                // The shorter of the two ways round, as SO3StateSpace takes it.
+                // The shorter of the two rotations, as in SO3StateSpace.
                 motion.axis = turn.vec() / (turn.w() < 0. ? -sine : sine);
                 motion.angle = 2. * std::atan2(sine, std::abs(turn.w()));
             }

@@ -54,7 +54,7 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        // Words of a text, each with its line.
+        // Reads the words of a text and keeps track of the line.
         class WordReader
         {
         public:
@@ -78,7 +78,7 @@ namespace ompl_mfa::collision
                 throw InputError(place() + ": " + fault);
             }
 
-            // Of the word that was read last.
+            // File and line of the last word read.
             std::string place() const
             {
                 return file_ + ":" + std::to_string(line_);
@@ -90,7 +90,7 @@ namespace ompl_mfa::collision
                 return line_ > lines_.size();
             }
 
-            // Whatever is left of the line.
+            // Skips the rest of the line.
             void skipLine()
             {
                 next();
@@ -107,7 +107,7 @@ namespace ompl_mfa::collision
                 return word;
             }
 
-            // What is left of the line, without the blanks around it.
+            // The rest of the line without surrounding blanks.
             std::string restOfLine()
             {
                 std::string rest;
@@ -116,7 +116,7 @@ namespace ompl_mfa::collision
                 return first == std::string::npos ? "" : rest.substr(first, rest.find_last_not_of(BLANKS) + 1 - first);
             }
 
-            // How many words the next line has that is not blank.
+            // Number of words in the next line that is not blank.
             std::size_t wordsAhead()
             {
                 std::size_t words = 0;
@@ -135,7 +135,7 @@ namespace ompl_mfa::collision
             {
                 const std::string text = word();
                 double value = 0.;
-                // A number that is not finite compares with nothing.
+                // Also rejects NaN.
                 if (!text::readNumber(text, value) || !(std::abs(value) <= LARGEST_COORDINATE))
                 {
                     fail(what + " = " + text + ": must be a finite number of at most 1e30");
@@ -188,7 +188,7 @@ namespace ompl_mfa::collision
             std::istringstream words_;
         };
 
-        // A primitive as this format writes it: the numbers of its line, and which of them each dimension is.
+        // A primitive in this format: the number of values in its line, and the index of each dimension.
         struct TextPrimitive
         {
             const char *name;
@@ -209,7 +209,7 @@ namespace ompl_mfa::collision
 
             Scene read()
             {
-                // The name of the scene, which may be blank.
+                // The name of the scene, which may be empty.
                 text_.skipLine();
                 for (std::string marker = text_.word(); marker != "."; marker = text_.word())
                 {
@@ -240,7 +240,8 @@ namespace ompl_mfa::collision
                 object.id = text_.restOfLine();
                 if (!formatIsKnown_)
                 {
-                    // As MoveIt tells them apart: by what follows the first name, a pose or the number of shapes.
+                    // As in MoveIt, the format is recognised by what follows the first name: a pose or the number of
+                    // shapes.
                     objectsHavePoses_ = text_.wordsAhead() > 1;
                     formatIsKnown_ = true;
                 }

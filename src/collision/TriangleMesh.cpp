@@ -114,8 +114,8 @@ namespace ompl_mfa::collision
             }
         }
 
-        // Joining vertices takes one that is not a number for any other, and reads whatever vertex a face names. So
-        // both have to be looked at before.
+        // Joining vertices merges a NaN vertex with any other and reads vertex indices without a check. So both are
+        // checked first.
         void requireSound(const aiScene &scene, const std::string &file)
         {
             std::size_t wild = 0;
@@ -144,12 +144,12 @@ namespace ompl_mfa::collision
 
         struct FaceCount
         {
-            // A polygon of n corners is n - 2 triangles. A face without corners is one that assimp has lost.
+            // A polygon of n corners gives n - 2 triangles. assimp has lost a face without corners.
             std::size_t triangles{0};
             std::size_t pointsAndLines{0};
         };
 
-        // A mesh that several nodes place counts as often.
+        // A mesh referenced by several nodes is counted for each.
         FaceCount countFaces(const aiScene &scene, const aiNode &node)
         {
             FaceCount count;
@@ -173,12 +173,12 @@ namespace ompl_mfa::collision
             return count;
         }
 
-        // The faces as they are in the file. Throws where assimp reads nothing.
+        // The faces as they are in the file. Throws if assimp cannot read it.
         const aiScene &readScene(Assimp::Importer &importer, const std::string &file)
         {
             // Some of assimp's readers (AMF, X3D, 3MF) convert numbers with strtod().
             const text::CLocaleScope plainNumbers;
-            // Otherwise a file without geometry becomes a mesh of invented bones.
+            // Otherwise assimp makes a mesh of bones from a file without geometry.
             importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
             const aiScene *scene = importer.ReadFile(file, 0);
             if (scene == nullptr || scene->mRootNode == nullptr)
@@ -240,7 +240,7 @@ namespace ompl_mfa::collision
         VertexSum all;
         appendNode(scene, *scene.mRootNode, aiMatrix4x4(), mesh, all);
         requireAll(faces, mesh, file.string());
-        // A transform may be broken where no vertex is.
+        // A transform may be invalid although all vertices are valid.
         for (const fcl::Vector3d &vertex : mesh.vertices)
         {
             requireFinite(vertex, file.string());

@@ -48,21 +48,21 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A file that holds one message as YAML, and its fields with the checks that all of them need. Faults are
-        InputErrors that name the file, the line and the key. */
+    /** \brief A YAML file with one message, and checked access to its fields. Errors are InputErrors that name the
+        file, the line and the key. */
     class YamlFile
     {
     public:
         using Names = std::set<std::string>;
 
-        /** \param file where the message is; nothing is read yet. */
+        /** \param file file of the message; not read yet. */
         explicit YamlFile(std::filesystem::path file);
 
-        /** \brief The message. Lines of three hyphens, which printers put between messages, may stand before and
-            behind it. Throws where there is none or more than one. */
+        /** \brief The message. Document separators (`---`) may precede and follow it. Throws if there is no message or
+            more than one. */
         YAML::Node message() const;
 
-        /** \brief The folder that the file is in. */
+        /** \brief The folder of the file. */
         std::filesystem::path folder() const;
 
         /** \brief File and line, for an error or a warning. */
@@ -70,17 +70,17 @@ namespace ompl_mfa::collision
 
         [[noreturn]] void fail(const YAML::Node &node, const std::string &fault) const;
 
-        /** \brief Throws where `map` is no map, or has a key twice or one that is not accepted. */
+        /** \brief Throws if `map` is not a map, or has a repeated key or one that is not accepted. */
         void checkKeys(const YAML::Node &map, const std::string &what, const Names &accepted) const;
 
         /** \brief Whether the map has a value for this key. */
         static bool has(const YAML::Node &map, const std::string &key);
 
-        /** \brief The value of a key that must be there. */
+        /** \brief The value of a required key. */
         YAML::Node required(const YAML::Node &map, const std::string &key) const;
 
-        /** \brief The list under a key; empty where there is no value. Throws where the value is no list, and names
-            the key as `name`. */
+        /** \brief The list under a key; empty if there is no value. Throws if the value is not a list; the error calls
+            the key `name`. */
         YAML::Node list(const YAML::Node &map, const std::string &key, const std::string &name) const;
 
         YAML::Node list(const YAML::Node &map, const std::string &key) const
@@ -88,13 +88,13 @@ namespace ompl_mfa::collision
             return list(map, key, key);
         }
 
-        /** \brief The text under a key; empty where there is no value. */
+        /** \brief The text under a key; empty if there is no value. */
         std::string text(const YAML::Node &map, const std::string &key) const;
 
         /** \brief A finite number of at most LARGEST_COORDINATE. */
         double number(const YAML::Node &node, const std::string &key) const;
 
-        /** \brief Numbers as a list, or as a map of the components. */
+        /** \brief Numbers given as a list or as a map of components. */
         template <int Size>
         Eigen::Matrix<double, Size, 1> vector(const YAML::Node &node, const std::string &key,
                                               const std::array<const char *, Size> &names) const

@@ -59,7 +59,7 @@ namespace ompl_mfa::collision
             return *kind;
         }
 
-        // Only a prism has one, which is no primitive here.
+        // Only a prism has one, which is not supported.
         void refusePolygon(const YamlFile &yaml, const YAML::Node &node)
         {
             if (YamlFile::has(node, "polygon"))

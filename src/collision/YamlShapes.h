@@ -50,8 +50,8 @@ namespace ompl_mfa::collision
     /** \brief A `shape_msgs/SolidPrimitive`. */
     std::shared_ptr<fcl::CollisionGeometryd> readPrimitive(const YamlFile &yaml, const YAML::Node &node);
 
-    /** \brief A `shape_msgs/Mesh`, or a file with a scale as robowflex writes it.
-        \param folders where files are sought. */
+    /** \brief A `shape_msgs/Mesh`, or a file with a scale, as in robowflex.
+        \param folders searched for files. */
     TriangleMesh readMesh(const YamlFile &yaml, const YAML::Node &node, const Folders &folders);
 }  // namespace ompl_mfa::collision
 

@@ -55,11 +55,12 @@ namespace ompl_mfa::planner
         using Reals = AcceptedValues<double>;
         static const std::vector<AnyMFAParameter> TABLE{
             Word{"variant", &engine::SearchSettings::variant, Words({"mfa", "fa"}),
-                 "the paper's modified firefly algorithm, or the plain one"},
+                 "the paper's modified firefly algorithm or the original one"},
             Switch{"fireflies",
                    &engine::SearchSettings::fireflies,
                    {},
-                   "whether swarms fly; without them, and without recombination, the guides and tightening remain"},
+                   "whether the firefly algorithm is used; without it and without recombination only the guides and "
+                   "tightening search"},
             // one range for both variants; trial vectors need four fireflies
             Whole{"population_size", &engine::SearchSettings::populationSize, Numbers(4, 1, 10000, 0),
                   "size of the swarm; 0: 100 in paper mode, else 20"},
@@ -68,30 +69,31 @@ namespace ompl_mfa::planner
             Whole{"generations", &engine::SearchSettings::generations, Numbers(1, 1, 100000),
                   "length of an epoch, over which the random step and the attraction shrink; at most 15 in a window"},
             Real{"gamma", &engine::SearchSettings::gamma, Reals(0.0, 0.01, 100.0),
-                 "light absorption: how fast the attraction falls with the distance of two fireflies, measured in "
+                 "light absorption: how fast the attraction decreases with the distance of two fireflies, measured in "
                  "ranges of their coordinates"},
             Real{"alpha", &engine::SearchSettings::alpha, Reals(0.0, 0.01, 1.0),
                  "random step at the beginning of an epoch"},
             Real{"eta", &engine::SearchSettings::eta, Reals(0.0, 0.01, 2.0),
-                 "attraction at distance 0 at the beginning of an epoch; 1 carries a firefly all the way to a brighter "
-                 "one"},
+                 "attraction at distance 0 at the beginning of an epoch; 1 moves a firefly to the position of the "
+                 "brighter one"},
             Word{"guide", &engine::SearchSettings::guide, Words({"none", "trees", "roadmap", "both"}),
-                 "planners beside the swarm that find ways which straight slices cannot express: trees that restart, "
-                 "a roadmap that grows"},
+                 "planners besides the swarm, for paths that straight slices cannot represent: RRT-Connect with "
+                 "restarts, a growing roadmap"},
             Switch{"recombination",
                    &engine::SearchSettings::recombination,
                    {},
-                   "splices the paths of the swarm into better ones"},
+                   "combines sections of the swarm's paths into better paths"},
             Switch{"tightening",
                    &engine::SearchSettings::tightening,
                    {},
                    "refines new paths: fewer vertices, shortcuts, pulls toward the chord, cut corners"},
             Whole{"seed", &engine::SearchSettings::seed, Numbers(0, 1, std::numeric_limits<std::uint32_t>::max()),
-                  "fixes the random numbers, and lets no clock decide; 0: another run every time"},
+                  "makes runs repeatable: fixes the random numbers, and no decision depends on a clock; 0: every run "
+                  "is different"},
             Real{"state_check_time", &engine::SearchSettings::stateCheckTime, Reals(0.001, 0.001, 100000.0),
-                 "what a state check takes; a run with a seed, which looks at no clock, shares its time by it"},
+                 "duration of a state check, by which a seeded run, which reads no clock, allocates its time"},
             Whole{"threads", &engine::SearchSettings::threads, Numbers(1, 1, 64),
-                  "check states and motions, see above"}};
+                  "number of threads that check states and motions, see above"}};
         return TABLE;
     }
 }  // namespace ompl_mfa::planner

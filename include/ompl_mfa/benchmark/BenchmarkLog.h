@@ -48,7 +48,7 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief Properties as OMPL's logs have them: "words TYPE" and a value. */
+    /** \brief Properties in the format of OMPL's logs: "words TYPE" and a value. */
     using LogProperties = std::map<std::string, std::string>;
 
     /** \brief The progress of a planner at one time. */
@@ -56,7 +56,7 @@ namespace ompl_mfa::benchmark
     {
         /** \brief Seconds since the start of solve(). */
         double time{0.0};
-        /** \brief One value a progress property, in the order of PlannerLog::progressNames. */
+        /** \brief One value per progress property, in the order of PlannerLog::progressNames. */
         std::vector<std::string> values;
     };
 
@@ -65,21 +65,21 @@ namespace ompl_mfa::benchmark
     {
         std::string name;
         LogProperties common;
-        /** \brief One map a run; a property that a run does not have is written as an empty value. */
+        /** \brief One map per run; a property that a run lacks is written as an empty value. */
         std::vector<LogProperties> runs;
         std::vector<std::string> progressNames;
-        /** \brief As many as `runs`, or none at all; each may be empty. */
+        /** \brief One series per run, or none at all; each may be empty. */
         std::vector<std::vector<ProgressSample>> progress;
     };
 
-    /** \brief The names that the values of an ENUM property stand for, from 0 on. */
+    /** \brief The names of the values of an ENUM property, from 0 on. */
     struct LogEnum
     {
         std::string property;
         std::vector<std::string> names;
     };
 
-    /** \brief A log in the format of OMPL's Benchmark, as `ompl_benchmark_statistics` and Planner Arena read it. */
+    /** \brief A log in the format of OMPL's Benchmark, readable by `ompl_benchmark_statistics` and Planner Arena. */
     struct BenchmarkLog
     {
         /** \brief Version of the planning library. */
@@ -92,22 +92,22 @@ namespace ompl_mfa::benchmark
         std::string setup;
         std::string cpu;
         std::uint64_t seed{0};
-        /** \brief Seconds a run. */
+        /** \brief Seconds per run. */
         double timeLimit{0.0};
-        /** \brief Megabytes a run. */
+        /** \brief Megabytes per run. */
         double memoryLimit{0.0};
         unsigned int runCount{0};
-        /** \brief Seconds spent to collect the runs. */
+        /** \brief Seconds spent on the runs. */
         double duration{0.0};
         std::vector<LogEnum> enums;
         std::vector<PlannerLog> planners;
     };
 
     /** \brief Writes \e log. Blanks in the experiment's name become underscores, values that are not finite become
-        `inf` or `nan`, and progress samples that the format would round to the same time are left out. */
+        `inf` or `nan`, and progress samples with the same time after rounding are left out. */
     OMPL_MFA_EXPORT void writeBenchmarkLog(std::ostream &out, const BenchmarkLog &log);
 
-    /** \brief As above, replacing \e file at once when all is written. Throws InputError when it cannot be written. */
+    /** \brief As above, to \e file, which is replaced atomically. Throws InputError if it cannot be written. */
     OMPL_MFA_EXPORT void writeBenchmarkLog(const std::filesystem::path &file, const BenchmarkLog &log);
 }  // namespace ompl_mfa::benchmark
 

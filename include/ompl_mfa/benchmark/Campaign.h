@@ -54,7 +54,7 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief What is the same for every run of a campaign. */
+    /** \brief Settings of all runs of a campaign. */
     struct RunSettings
     {
         /** \brief Seconds. */
@@ -66,27 +66,27 @@ namespace ompl_mfa::benchmark
         /** \brief Evaluations of the termination condition before the planner has to stop; 0: no limit. */
         std::uint64_t iterationLimit{0};
         bool simplify{true};
-        /** \brief Whether the journal holds the path of an exact solution. */
+        /** \brief Whether the path of an exact solution is stored in the journal. */
         bool keepPath{false};
     };
 
-    /** \brief Makes the problem of a run. It is called in the run's own process, after the seed is set. */
+    /** \brief Makes the problem of a run. Called in the run's own process, after the seed is set. */
     using ProblemAllocator = std::function<ompl::geometric::SimpleSetupPtr()>;
 
     /** \brief The seed of run \e run of every planner in a campaign with seed \e base: an output of SplitMix64
         (Steele, Lea and Flood, 2014) for the state base + (run + 1) 0x9e3779b97f4a7c15, folded to [1, 2^31 - 1]. */
     OMPL_MFA_EXPORT std::uint32_t runSeed(std::uint64_t base, unsigned int run);
 
-    /** \brief One planner of a campaign, with the problem as this planner meets it. */
+    /** \brief One planner of a campaign, with its problem. */
     struct CampaignPlanner
     {
-        /** \brief Unique in its campaign. Logs put OMPL's "geometric_" before it. */
+        /** \brief Unique in its campaign. Logs add OMPL's prefix "geometric_". */
         std::string name;
         ProblemAllocator makeProblem;
         ompl::base::PlannerAllocator makePlanner;
     };
 
-    /** \brief What is run: it decides the results, as far as the machine does not. */
+    /** \brief What is run: everything but the machine that determines the results. */
     struct CampaignDescription
     {
         std::string name;
@@ -96,26 +96,26 @@ namespace ompl_mfa::benchmark
         /** \brief Run k of every planner has the seed runSeed(seed, k). */
         std::uint64_t seed{1};
         SavePaths savePaths{SavePaths::None};
-        /** \brief Whatever else makes this campaign differ from another one: the text of its files. */
+        /** \brief Anything else that distinguishes this campaign from others: the text of its files. */
         std::string identity;
     };
 
-    /** \brief How it is run. */
+    /** \brief How a campaign is run. */
     struct CampaignOptions
     {
-        /** \brief The log; its journal and the paths are written beside it. */
+        /** \brief The log; its journal and the paths are written to the same folder. */
         std::filesystem::path log;
-        /** \brief Runs at the same time. */
+        /** \brief Number of simultaneous runs. */
         unsigned int jobs{1};
-        /** \brief This is part `shard` of `shards`, counted from 1. */
+        /** \brief Makes only shard `shard` of `shards`, counted from 1. */
         unsigned int shard{1};
         unsigned int shards{1};
-        /** \brief Makes only the runs that the journal does not have. */
+        /** \brief Makes only the runs missing in the journal. */
         bool resume{false};
-        /** \brief Drops the journal of an interrupted campaign. */
+        /** \brief Discards the journal of an interrupted campaign. */
         bool overwrite{false};
-        /** \brief Seconds after the time limit at which a planner that has not returned is killed; negative: one
-            second and a tenth of the limit. */
+        /** \brief Seconds after the time limit at which a planner that has not returned is killed; if negative, 1 s
+            plus a tenth of the limit. */
         double grace{-1.0};
         /** \brief Where progress is shown. */
         std::ostream *progress{nullptr};
@@ -123,46 +123,46 @@ namespace ompl_mfa::benchmark
         bool terminal{false};
     };
 
-    /** \brief What came out of a campaign. */
+    /** \brief Result of a campaign. */
     struct CampaignResult
     {
         BenchmarkLog log;
-        /** \brief The signal that stopped the campaign before its end; 0 if none did. */
+        /** \brief The signal that interrupted the campaign; 0 if none did. */
         int interruptedBy{0};
-        /** \brief Runs that are still to be made. */
+        /** \brief Number of runs still to be made. */
         std::size_t missing{0};
     };
 
-    /** \brief Runs planners on a problem, each run in a process of its own, and writes OMPL's benchmark log.
+    /** \brief Runs planners on a problem, each run in a separate process, and writes OMPL's benchmark log.
 
-        Whatever a run does to its process costs that run alone. Runs that are over are on the disk: a campaign that was
-        stopped at any point continues with `resume`. The calling process must have a single thread. */
+        A run that damages its process affects no other run. Finished runs are on the disk: a campaign stopped at any
+        point continues with `resume`. The calling process must be single-threaded. */
     class OMPL_MFA_EXPORT Campaign
     {
     public:
-        /** \brief Throws InputError when there is no planner or no run, or when two planners have the same name. */
+        /** \brief Throws InputError if there is no planner or no run, or if two planners have the same name. */
         explicit Campaign(CampaignDescription description);
 
-        /** \brief Makes problem and planners once, in a process of their own. Throws InputError as they do. */
+        /** \brief Makes the problem and the planners once, in a separate process. Passes on their InputErrors. */
         void validate() const;
 
-        /** \brief Makes the runs and writes the log. SIGINT, SIGTERM and SIGHUP end it after the runs so far are in
-            the log. Throws InputError when the log cannot be written, or when a journal of an interrupted or of
-            another campaign is in the way. */
+        /** \brief Makes the runs and writes the log. On SIGINT, SIGTERM or SIGHUP it writes a log of the finished runs
+            and returns. Throws InputError if the log cannot be written, or if there already is a journal of an
+            interrupted or of another campaign. */
         CampaignResult run(const CampaignOptions &options) const;
 
-        /** \brief A digest of the description: logs and journals with the same one belong together. */
+        /** \brief A digest of the description, by which logs and journals of the same campaign are recognised. */
         std::string fingerprint() const;
 
-        /** \brief All runs as (planner, run), in the order in which they are started; part i of n makes every n-th.
+        /** \brief All runs as (planner, run), in the order in which they are started; shard i of n makes every n-th.
 
-            Runs of all planners alternate, and each part gets an equal share of each planner, so that neither the time
-            of the day nor a slower machine is to the disadvantage of one of them. */
+            Runs of all planners alternate, and each shard has an equal number of runs of each planner, so that neither
+            the time of the day nor a slower machine affects one planner more than the others. */
         std::vector<std::pair<std::size_t, unsigned int>> runs() const;
 
         const CampaignDescription &description() const;
 
-        /** \brief The file in which the runs of \e log are kept as they come. */
+        /** \brief The journal file of the log \e log. */
         static std::filesystem::path journalFile(const std::filesystem::path &log);
 
     private:
@@ -171,11 +171,11 @@ namespace ompl_mfa::benchmark
 
     /** \brief The campaign of a config, as `ompl_mfa benchmark` runs it. Loads world and robot.
 
-        Throws InputError as ProblemFactory does, and for a planner parameter `seed`: the campaign sets it. */
+        Throws InputError as ProblemFactory does, and for a planner parameter `seed`, as the campaign sets the seeds. */
     OMPL_MFA_EXPORT Campaign makeCampaign(const BenchmarkConfig &config);
 
-    /** \brief The log of a config: NAME.log in the folder of its key `output`, or beside the config; for a part of a
-        campaign NAME.I-of-N.log. Folders that do not exist are made by Campaign::run(). */
+    /** \brief The log of a config: NAME.log in the folder given by its key `output`, or else in that of the config; for
+        a shard NAME.I-of-N.log. Campaign::run() creates missing folders. */
     OMPL_MFA_EXPORT std::filesystem::path logFile(const BenchmarkConfig &config, unsigned int shard,
                                                   unsigned int shards);
 }  // namespace ompl_mfa::benchmark

@@ -52,7 +52,7 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief The state space of a problem. It follows from the keys of start and goal and from `statespace`. */
+    /** \brief The state space of a problem, determined by the keys of start and goal and by `statespace`. */
     enum class StateSpaceKind
     {
         R2,               ///< x, y: a point or a disc
@@ -64,7 +64,7 @@ namespace ompl_mfa::benchmark
         ReedsShepp        ///< SE2 with `statespace = reedsshepp`
     };
 
-    /** \brief What a problem's robot is. */
+    /** \brief Kind of robot. */
     enum class RobotKind
     {
         File,  ///< a mesh or planning scene
@@ -73,7 +73,7 @@ namespace ompl_mfa::benchmark
         Sphere  ///< with robot.radius
     };
 
-    /** \brief What costs a path, or a term of a weighted sum. */
+    /** \brief The objective, or a term of a weighted sum. */
     enum class ObjectiveKind
     {
         Length,
@@ -99,9 +99,9 @@ namespace ompl_mfa::benchmark
         double x{0.0};
         double y{0.0};
         double z{0.0};
-        /** \brief Rotation axis (SE3 only), not necessarily of unit length. */
+        /** \brief Rotation axis (SE3 only), of any nonzero length. */
         double axis[3]{0.0, 0.0, 1.0};
-        /** \brief Rotation about the axis, radians, as written: any value is taken and normalised later. */
+        /** \brief Rotation about the axis, radians. Any value is accepted and normalised later. */
         double theta{0.0};
         std::string origin;
     };
@@ -114,52 +114,53 @@ namespace ompl_mfa::benchmark
         std::string origin;
     };
 
-    /** \brief The settings of a problem's space information that a planner may override. What is not set is OMPL's. */
+    /** \brief Settings of a problem's space information that a planner may override. OMPL's defaults hold for those not
+        set. */
     struct ContextConfig
     {
         std::optional<SamplerKind> sampler;
         std::optional<unsigned int> attempts;
-        /** \brief Of the gaussian and bridge_test samplers. */
+        /** \brief For the gaussian and bridge_test samplers. */
         std::optional<Given<double>> standardDeviation;
-        /** \brief Of the max_clearance sampler. */
+        /** \brief For the max_clearance sampler. */
         std::optional<Given<unsigned int>> improveAttempts;
         std::optional<double> longestValidSegmentFraction;
         std::optional<unsigned int> validSegmentCountFactor;
-        /** \brief Cells of the default projection, one a dimension. */
+        /** \brief Cell sizes of the default projection, one per dimension. */
         std::array<std::optional<Given<double>>, 3> cellSizes;
-        /** \brief Multiplies these sizes. */
+        /** \brief Factor for the cell sizes. */
         std::optional<double> cellSizeFactor;
     };
 
     /** \brief The section [problem]. */
     struct ProblemConfig
     {
-        /** \brief The file's stem when it is not given. It is a file's name, see isFileName(). */
+        /** \brief The stem of the config's file name if not given. A valid file name, see isFileName(). */
         std::string name;
-        /** \brief A mesh, a scene or an OctoMap; without it the robot moves in an empty world. */
+        /** \brief A mesh, a scene or an OctoMap; the world is empty if it is not given. */
         std::optional<ConfigEntry> world;
         RobotKind robotKind{RobotKind::File};
-        /** \brief As written: the name of a file, or the word for another kind. */
+        /** \brief As written: a file name, or the keyword of another kind. */
         ConfigEntry robot;
         /** \brief Radius of a `disc` or `sphere` robot, world units. */
         double robotRadius{0.0};
         StateSpaceKind space{StateSpaceKind::SE2};
         /** \brief Turning radius of Dubins and Reeds-Shepp spaces, world units. */
         double turningRadius{1.0};
-        /** \brief Weight of the rotation in the distance of SE2 and SE3; OMPL's own (0.5 and 1) when it is not set. */
+        /** \brief Weight of the rotation in the distance of SE2 and SE3; OMPL's default (0.5 and 1) if not set. */
         std::optional<double> rotationWeight;
         ConfigPose start;
         ConfigPose goal;
         /** \brief Distance at which a state counts as the goal. */
         double threshold{1e-6};
-        /** \brief Absent when not all of its keys are given: then the world's box is used. */
+        /** \brief Empty unless all keys are given; the world's bounding box is used then. */
         std::optional<ConfigVolume> volume;
-        /** \brief Without it the problem has no objective: each planner takes its own default, and those that do not
-            optimize stop at their first path. */
+        /** \brief If empty the problem has no objective: each planner uses its default, and those that do not optimize
+            stop at their first path. */
         std::optional<ObjectiveKind> objective;
-        /** \brief Cost at which an optimizing planner may stop; the objective's own when it is not set. */
+        /** \brief Cost at which an optimizing planner may stop; the objective's default if not set. */
         std::optional<double> objectiveThreshold;
-        /** \brief objective.weight.NAME, in the order written; not empty exactly when the objective is `weighted`. */
+        /** \brief objective.weight.NAME, in the order written; nonempty exactly if the objective is `weighted`. */
         std::vector<std::pair<ObjectiveKind, double>> objectiveWeights;
         Given<collision::MotionValidation> motionValidation{collision::MotionValidation::Discrete, {}};
         collision::MeshInterior meshInterior{collision::MeshInterior::Free};
@@ -174,7 +175,7 @@ namespace ompl_mfa::benchmark
         Shortest
     };
 
-    /** \brief Seconds, some thirty years: clocks that count nanoseconds can still add it to the time of the day. */
+    /** \brief Seconds, some thirty years: can be added to the time of the day by clocks that count nanoseconds. */
     constexpr double LONGEST_TIME_LIMIT = 1e9;
 
     /** \brief Seconds between two samples of a planner's progress. */
@@ -183,40 +184,40 @@ namespace ompl_mfa::benchmark
     /** \brief The section [benchmark]. */
     struct CampaignConfig
     {
-        /** \brief Seconds a run, at most LONGEST_TIME_LIMIT. */
+        /** \brief Seconds per run, at most LONGEST_TIME_LIMIT. */
         double timeLimit{5.0};
-        /** \brief Megabytes a run. */
+        /** \brief Megabytes per run. */
         double memoryLimit{4096.0};
         unsigned int runCount{100};
-        /** \brief Folder of the log, with `~` replaced by the home folder; empty: beside the config. */
+        /** \brief Folder of the log, with `~` replaced by the home folder; if empty, the folder of the config. */
         std::filesystem::path output;
         SavePaths savePaths{SavePaths::None};
         bool simplify{true};
         /** \brief Seed of the whole campaign, above 0. */
         std::uint_fast32_t seed{1};
-        /** \brief Seconds between two samples of the progress properties, at least SHORTEST_PROGRESS_INTERVAL; when it
-           is not set, a 100000th of a time limit of more than 1000 s. */
+        /** \brief Seconds between two samples of the progress properties, at least SHORTEST_PROGRESS_INTERVAL; if not
+            set, a 100000th of a time limit of more than 1000 s. */
         double progressInterval{0.01};
-        /** \brief Evaluations of the termination condition after which a planner has to stop; 0: only time counts. */
+        /** \brief Evaluations of the termination condition after which a planner has to stop; 0: no limit. */
         std::uint64_t iterationLimit{0};
     };
 
     /** \brief One planner instance of the section [planner]. */
     struct PlannerSpec
     {
-        /** \brief The name under which the planner factory knows it, in lower case. */
+        /** \brief The planner factory's name for it, in lower case. */
         std::string type;
-        /** \brief The name in logs, unique in its file: as given, or the planner's own, numbered from its second
-            instance on. */
+        /** \brief The name in logs, unique in the config: as given, or else the planner's name, numbered from its
+            second instance on. */
         std::string name;
         std::string origin;
-        /** \brief As written: their types are the planner's, and createPlanner() asks it for them. */
+        /** \brief As written; createPlanner() checks them against the planner's types. */
         std::vector<ConfigEntry> parameters;
-        /** \brief Overrides of the problem's context for this planner alone. */
+        /** \brief Overrides of the problem's context for this planner. */
         ContextConfig context;
     };
 
-    /** \brief A benchmark config as `ompl_benchmark` of OMPL.app reads it, with the extensions of docs/configs.md. */
+    /** \brief A benchmark config of OMPL.app's `ompl_benchmark`, with the extensions of docs/configs.md. */
     struct BenchmarkConfig
     {
         std::filesystem::path file;
@@ -226,16 +227,17 @@ namespace ompl_mfa::benchmark
         std::vector<PlannerSpec> planners;
     };
 
-    /** \brief Reads \e file. Throws InputError, naming file, line, key, value and what is accepted, at anything that
-        cannot be read or is not known; planner parameters are checked by createPlanner(). */
+    /** \brief Reads \e file. Throws InputError, naming file, line, key, value and what is accepted, for anything
+        invalid or unknown; planner parameters are checked by createPlanner(). */
     OMPL_MFA_EXPORT BenchmarkConfig readBenchmarkConfig(const std::filesystem::path &file);
 
-    /** \brief As readBenchmarkConfig(), from a stream; \e file names it in messages, and files are sought beside it. */
+    /** \brief As readBenchmarkConfig(), from a stream; \e file is its name in messages, and its folder is searched for
+        files. */
     OMPL_MFA_EXPORT BenchmarkConfig parseBenchmarkConfig(std::istream &in, const std::filesystem::path &file);
 
-    /** \brief The path of a file named in a config: as given, beside the config, then in the folders that the
-        environment variable OMPL_MFA_RESOURCE_DIR names, separated by colons. Throws InputError listing these places
-       when it is in none. */
+    /** \brief The path of a file named in a config. It is searched as given, in the folder of the config, and in the
+        folders of the environment variable OMPL_MFA_RESOURCE_DIR (separated by colons). Throws InputError listing these
+        places if it is not found. */
     OMPL_MFA_EXPORT std::filesystem::path findResource(const BenchmarkConfig &config, const ConfigEntry &entry);
 }  // namespace ompl_mfa::benchmark
 

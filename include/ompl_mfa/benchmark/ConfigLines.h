@@ -46,17 +46,16 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief One `key = value` as it was written, with the place that an error about it has to name. */
+    /** \brief One `key = value` as written, with its place for error messages. */
     struct ConfigEntry
     {
         std::string key;
         std::string value;
-        /** \brief "FILE:LINE", or the command line option that it came from. */
+        /** \brief "FILE:LINE", or the command line option. */
         std::string origin;
     };
 
-    /** \brief A value with the line that it came from, where an error that only shows when it is used has to name it.
-     */
+    /** \brief A value with its place, for errors that are detected only when it is used. */
     template <typename Value>
     struct Given
     {
@@ -71,17 +70,18 @@ namespace ompl_mfa::benchmark
         Boost.Program_options reads the same syntax, but its errors have no line numbers. */
     OMPL_MFA_EXPORT std::vector<ConfigEntry> readConfigLines(std::istream &in, const std::string &file);
 
-    /** \brief The value as a finite number; throws InputError where it is not one. */
+    /** \brief The value as a finite number; throws InputError if it is not one. */
     OMPL_MFA_EXPORT double realValue(const ConfigEntry &entry);
 
-    /** \brief The value as a whole number in [\e first, \e last]; throws InputError where it is not one. */
+    /** \brief The value as a whole number in [\e first, \e last]; throws InputError if it is not one. */
     OMPL_MFA_EXPORT std::uint_fast64_t wholeValue(const ConfigEntry &entry, std::uint_fast64_t first,
                                                   std::uint_fast64_t last);
 
     /** \brief 0, 1, true, false, yes, no, on or off; throws InputError for anything else. */
     OMPL_MFA_EXPORT bool switchValue(const ConfigEntry &entry);
 
-    /** \brief The index of the value in \e accepted; throws InputError, listing \e accepted, where it is not there. */
+    /** \brief The index of the value in \e accepted; throws InputError, listing \e accepted, if it is not among
+        them. */
     OMPL_MFA_EXPORT std::size_t choiceValue(const ConfigEntry &entry, const std::vector<std::string> &accepted);
 
     /** \brief Throws InputError: "ORIGIN: \e message". */

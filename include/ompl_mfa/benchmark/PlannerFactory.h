@@ -55,7 +55,7 @@ namespace ompl_mfa::benchmark
         std::string name;
         /** \brief `bool`, `integer`, `unsigned`, `real` or `text`. */
         std::string type;
-        /** \brief As OMPL writes ranges, "first:step:last" or "a,b,c"; empty when the planner suggests none. */
+        /** \brief In OMPL's format, "first:step:last" or "a,b,c"; empty if the planner declares none. */
         std::string range;
         std::string defaultValue;
     };
@@ -63,25 +63,25 @@ namespace ompl_mfa::benchmark
     /** \brief Names of every geometric planner of the linked OMPL and of this project, sorted; aliases included. */
     OMPL_MFA_EXPORT std::vector<std::string> plannerNames();
 
-    /** \brief Throws InputError, beginning with \e origin, unless createPlanner() makes planners of \e type. */
+    /** \brief Throws InputError, beginning with \e origin, unless \e type is known to createPlanner(). */
     OMPL_MFA_EXPORT void requireKnownPlanner(const std::string &type, const std::string &origin);
 
-    /** \brief The name that a planner of a known \e type goes by in logs, such as `RRTstar`. */
+    /** \brief The name in logs of a planner of a known \e type, such as `RRTstar`. */
     OMPL_MFA_EXPORT std::string plannerTitle(const std::string &type);
 
     /** \brief The parameters of planner \e type with ranges and defaults. Makes a planner, and with it random number
-        generators: a seed is to be set before. */
+        generators, so a seed has to be set before. */
     OMPL_MFA_EXPORT std::vector<PlannerParameter> plannerParameters(const std::string &type);
 
     /** \brief Makes the planner of \e spec, named and with its parameters set, on \e si.
 
-        Makes random number generators: a seed is to be set before. Throws InputError, naming origin, key, value and
+        Makes random number generators, so a seed has to be set before. Throws InputError, naming origin, key, value and
         what is accepted, for an unknown planner or parameter (with the nearest known name), for a value that is not of
-        the parameter's type or out of its range, and for a planner that cannot work in the space of \e si. */
+        the parameter's type or out of its range, and for a planner that does not support the space of \e si. */
     OMPL_MFA_EXPORT ompl::base::PlannerPtr createPlanner(const ompl::base::SpaceInformationPtr &si,
                                                          const PlannerSpec &spec);
 
-    /** \brief Sets the planner's own `seed` parameter; does nothing to a planner that has none. */
+    /** \brief Sets the planner's parameter `seed`, if it has one. */
     OMPL_MFA_EXPORT void seedPlanner(ompl::base::Planner &planner, std::uint_fast32_t seed);
 }  // namespace ompl_mfa::benchmark
 

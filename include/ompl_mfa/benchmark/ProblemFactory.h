@@ -49,12 +49,12 @@
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief Makes ready problems of one config. World and robot are loaded once and shared by all of them. */
+    /** \brief Makes the problems of one config. World and robot are loaded once and shared by all of them. */
     class OMPL_MFA_EXPORT ProblemFactory
     {
     public:
-        /** \brief Loads world and robot. Makes no random number generator. Throws InputError for a file that is missing
-            or cannot be used, and where neither the config nor a world bounds the problem. */
+        /** \brief Loads world and robot. Makes no random number generator. Throws InputError for a missing or invalid
+            file, and if neither the config nor a world gives bounds. */
         explicit ProblemFactory(BenchmarkConfig config);
 
         const BenchmarkConfig &config() const
@@ -62,7 +62,7 @@ namespace ompl_mfa::benchmark
             return config_;
         }
 
-        /** \brief Empty where the config names no world. */
+        /** \brief Empty if the config names no world. */
         const collision::Scene &world() const
         {
             return *world_;
@@ -73,15 +73,15 @@ namespace ompl_mfa::benchmark
             return robot_;
         }
 
-        /** \brief A new problem, set up but for its planner; \e plannerContext overrides the context of the config, so
-            that nothing of one planner reaches the next.
+        /** \brief A new problem, set up except for its planner. \e plannerContext overrides the context of the config
+            for this problem only.
 
-            Makes random number generators: setRandomSeed() comes before. Throws InputError when start or goal is out
-            of bounds or collides (by less than a hundredth of the bounds' diagonal: with a valid state nearby), or when
-            the space or the sampler has no such setting. */
+            Makes random number generators, so setRandomSeed() has to be called before. Throws InputError if start or
+            goal is out of bounds or in collision (the message gives a valid state nearby if there is one within a
+            hundredth of the bounds' diagonal), or if the space or the sampler does not have a setting that is given. */
         ompl::geometric::SimpleSetupPtr create(const ContextConfig &plannerContext = {}) const;
 
-        /** \brief As create() with the context of \e spec, and with its planner. */
+        /** \brief As above, with the context and the planner of \e spec. */
         ompl::geometric::SimpleSetupPtr create(const PlannerSpec &spec) const;
 
     private:
@@ -90,8 +90,8 @@ namespace ompl_mfa::benchmark
         collision::RigidBody robot_;
     };
 
-    /** \brief Seeds OMPL; runs repeat when this comes before the first random number generator of the process. Throws
-        InputError for 0, which OMPL does not accept. */
+    /** \brief Seeds OMPL. Runs are repeatable if this is called before the process makes its first random number
+        generator. Throws InputError for 0, which OMPL does not accept. */
     OMPL_MFA_EXPORT void setRandomSeed(std::uint_fast32_t seed);
 }  // namespace ompl_mfa::benchmark
 

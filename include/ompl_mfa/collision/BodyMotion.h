@@ -43,14 +43,14 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief Motion of a body over the share t in [0, 1]: its reference point on a segment, its orientation about an
-        axis that is fixed in the body, both at constant speed. Lengths in the units of the world, angles in radians. */
+    /** \brief Motion of a body over t in [0, 1]: its reference point moves along a segment and it rotates about an axis
+        fixed in the body, both at constant speed. Lengths are in world units, angles in radians. */
     struct BodyMotion
     {
         /** \brief Position of the reference point at t = 0. */
         fcl::Vector3d start{fcl::Vector3d::Zero()};
 
-        /** \brief From there to its position at t = 1. */
+        /** \brief Displacement of the reference point from t = 0 to t = 1. */
         fcl::Vector3d displacement{fcl::Vector3d::Zero()};
 
         /** \brief Orientation at t = 0. */

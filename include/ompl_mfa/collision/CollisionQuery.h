@@ -51,26 +51,26 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief What a mesh stands for. */
+    /** \brief How a mesh is interpreted. */
     enum class MeshInterior
     {
-        /** \brief Its surface: a body wholly inside is free, as in OMPL.app. */
+        /** \brief As a surface: a body entirely inside is collision-free, as in OMPL.app. */
         Free,
 
-        /** \brief The solid inside it. Every mesh must be closed. */
+        /** \brief As the solid that it bounds. Every mesh must be closed. */
         Solid
     };
 
-    /** \brief Collision and distance between a scene and the bodies that move in it, and between these bodies.
+    /** \brief Collisions and distances between a scene and moving bodies, and among these bodies.
 
-        The broadphase and the traversal of meshes and maps are FCL's; docs/collision.md tells how exact the answers
-        are for each pair of shapes. Const functions are safe to call from several threads and allocate nothing after a
-        thread's first call. */
+        The broadphase and the traversal of meshes and maps are FCL's; docs/collision.md lists the accuracy for each
+        pair of shapes. Const functions are safe to call from several threads and allocate nothing after a thread's
+        first call. */
     class OMPL_MFA_EXPORT CollisionQuery
     {
     public:
-        /** \throw std::invalid_argument where the scene is null or there is no body
-            \throw InputError naming a mesh that is not closed, where interiors are solid. */
+        /** \throw std::invalid_argument if the scene is null or there is no body.
+            \throw InputError naming a mesh that is not closed, if interiors are solid. */
         CollisionQuery(std::shared_ptr<const Scene> scene, std::vector<RigidBody> bodies,
                        MeshInterior interior = MeshInterior::Free);
         ~CollisionQuery();
@@ -87,23 +87,23 @@ namespace ompl_mfa::collision
             return bodies_;
         }
 
-        /** \brief Whether a body touches an obstacle or another body. \param poses one for each body. */
+        /** \brief Whether a body touches an obstacle or another body. \param poses one pose per body. */
         bool collides(const fcl::Transform3d *poses) const;
 
-        /** \brief The smallest distance from any body to any obstacle and between bodies, in the units of the world;
-            `limit` > 0 where it is no less than that.
+        /** \brief Smallest distance between a body and an obstacle or between two bodies, in world units, or `limit` >
+            0 if it is at least that.
 
-            Where shapes overlap, minus the largest depth among them: the shortest way to pull a sphere out of a
-            primitive whose depth is known in closed form (all but the cone). Of other pairs no depth is known that
-            could be trusted, and theirs counts as 0.
+            If shapes overlap, the result is minus the largest penetration depth. The depth is known in closed form for
+            a sphere in any primitive but the cone; for all other pairs it counts as 0, as no reliable depth is
+            available.
             \param poses one for each body. */
         double distance(const fcl::Transform3d *poses, double limit) const;
 
-        /** \brief Share of a motion, in [0, 1], up to which no body comes within `tolerance` > 0 of an obstacle or
-            another body; 1 where the whole motion is free. By conservative advancement, pair by pair. A pair that
-            stays so close that 1000 steps do not take it to the end counts as touching there.
+        /** \brief Fraction of a motion, in [0, 1], up to which no body comes within `tolerance` > 0 (world units) of an
+            obstacle or another body; 1 if the whole motion is free. Uses conservative advancement for each pair. A pair
+            that needs more than 1000 steps counts as touching where the last step ends.
             \param motions one for each body
-            \param untilFirst return any share below 1 as soon as one pair touches. */
+            \param untilFirst return any fraction below 1 as soon as one pair touches. */
         double advance(const BodyMotion *motions, double tolerance, bool untilFirst) const;
 
     private:
@@ -131,7 +131,7 @@ namespace ompl_mfa::collision
         std::vector<std::unique_ptr<Obstacle>> obstacles_;
         std::vector<Part> parts_;
 
-        // Parts of different bodies.
+        // Indices of shapes of different bodies.
         std::vector<std::pair<std::size_t, std::size_t>> bodyPairs_;
         fcl::DynamicAABBTreeCollisionManager<double> broadphase_;
     };

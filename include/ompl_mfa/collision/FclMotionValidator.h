@@ -50,38 +50,37 @@ namespace ompl_mfa::collision
     /** \brief How motions between two states are checked. */
     enum class MotionValidation
     {
-        /** \brief OMPL's DiscreteMotionValidator: states at the resolution of the space. */
+        /** \brief OMPL's DiscreteMotionValidator: checks states at the resolution of the space. */
         Discrete,
 
-        /** \brief FclMotionValidator: all of the motion. */
+        /** \brief FclMotionValidator: checks the whole motion. */
         Continuous
     };
 
     /** \brief Continuous motion validation by conservative advancement.
 
-        From a pose with distance d to the obstacles no part of the body can reach one before it has travelled d; the
-        travel is bounded by the translation plus the rotation times the radius of the body about its reference point.
-        The motion is advanced by as much, again and again, so that no obstacle is missed however thin. A motion that
-        comes closer than clearanceTolerance() to an obstacle counts as a collision.
+        At a distance d from the obstacles, no point of the body can reach one before it has travelled d; its travel is
+        bounded by the translation plus the rotation times the radius of the body about its reference point. The motion
+        is repeatedly advanced by this bound, so that even arbitrarily thin obstacles are found. A motion that comes
+        closer than clearanceTolerance() to an obstacle counts as a collision.
 
         Source: B. Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, UC Berkeley, 1996. */
     class OMPL_MFA_EXPORT FclMotionValidator : public ompl::base::MotionValidator
     {
     public:
-        /** \throw InputError where the space does not interpolate straight (Dubins, Reeds-Shepp). */
+        /** \throw InputError if the space does not interpolate along straight lines (Dubins, Reeds-Shepp). */
         FclMotionValidator(const ompl::base::SpaceInformationPtr &si,
                            std::shared_ptr<const FclStateValidityChecker> checker);
 
-        /** \brief Whether all of the motion is valid; `s1` is taken to be valid. */
+        /** \brief Whether the whole motion is valid; `s1` is assumed to be valid. */
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
 
-        /** \brief The same, and where the motion is invalid, `lastValid` is set to the last state that was found
-            valid (if its first is not null) and the share of the motion up to it, in [0, 1). */
+        /** \brief As above. If the motion is invalid, `lastValid` is set to the last state found valid (unless its
+            pointer is null) and the fraction of the motion up to it, in [0, 1). */
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
                          std::pair<ompl::base::State *, double> &lastValid) const override;
 
-        /** \brief Distance, in the units of the world, below which a body counts as touching: 1e-7 of the diagonal of
-            the scene. */
+        /** \brief Distance in world units below which a body counts as touching: 1e-7 of the diagonal of the scene. */
         double clearanceTolerance() const
         {
             return clearanceTolerance_;
@@ -90,14 +89,14 @@ namespace ompl_mfa::collision
     private:
         double advance(const ompl::base::State *s1, const ompl::base::State *s2, bool untilFirst) const;
 
-        /** \brief Share, at most `reached`, up to which the motion stays within the bounds of the space. */
+        /** \brief Fraction of the motion, at most `reached`, that stays within the bounds of the space. */
         double shareWithinBounds(const ompl::base::State *s1, const ompl::base::State *s2, double reached) const;
 
         std::shared_ptr<const FclStateValidityChecker> checker_;
         double clearanceTolerance_;
     };
 
-    /** \brief Give `si` the checker and the motion validator.
+    /** \brief Set the validity checker and the motion validator of `si`.
         \throw InputError as the constructor of FclMotionValidator does. */
     OMPL_MFA_EXPORT void setCollisionChecking(const ompl::base::SpaceInformationPtr &si,
                                               const std::shared_ptr<FclStateValidityChecker> &checker,

@@ -49,8 +49,8 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A state is valid where it is within the bounds of the space, no body touches an obstacle, and no two
-        bodies touch.
+    /** \brief A state is valid if it is within the bounds of the space, no body touches an obstacle, and no two bodies
+        touch.
 
         Const functions are safe to call from several threads and allocate nothing after a thread's first call. */
     class OMPL_MFA_EXPORT FclStateValidityChecker : public ompl::base::StateValidityChecker
@@ -58,10 +58,10 @@ namespace ompl_mfa::collision
     public:
         /** \param si of R^2, R^3, SE(2), SE(3) or a compound of these (see StatePlacement)
             \param scene the obstacles; may be empty, must not be null
-            \param bodies one for each body that the space places
+            \param bodies one per body of the space
             \param interior whether the inside of a mesh is free, as in OMPL.app, or solid
-            \throw InputError where the space cannot place the bodies, or places another number of them, or where
-            interiors are solid and a mesh is not closed. */
+            \throw InputError if the space cannot place the bodies or places a different number of them, or if interiors
+            are solid and a mesh is not closed. */
         FclStateValidityChecker(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const Scene> scene,
                                 std::vector<RigidBody> bodies, MeshInterior interior = MeshInterior::Free);
 
@@ -71,10 +71,9 @@ namespace ompl_mfa::collision
 
         bool isValid(const ompl::base::State *state) const override;
 
-        /** \brief The smallest distance between a body and an obstacle or between two bodies, in the units of the
-            world; infinity where there is nothing to hit. Where they overlap it is minus the depth for spheres (points,
-            discs, balls) in primitives other than cones, and 0 for all other shapes. The bounds of the space do not
-            count. */
+        /** \brief Smallest distance between a body and an obstacle or between two bodies, in world units; infinite if
+            there is nothing to collide with. In collision, minus the penetration depth for spheres (points, discs,
+            balls) in primitives other than cones, and 0 for all other shapes. The bounds of the space are ignored. */
         double clearance(const ompl::base::State *state) const override;
 
         const StatePlacement &placement() const

@@ -47,20 +47,20 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief Read an OctoMap: .bt (binary) or .ot (full) of an `OcTree`. Cells are obstacles where their occupancy
-        reaches the threshold of the map; free and unknown cells are free.
-        \throw InputError naming the file and the fault: missing, not an OctoMap, an older or foreign kind of tree,
-        truncated, or without any occupied cell. */
+    /** \brief Read an OctoMap: .bt (binary) or .ot (full) of an `OcTree`. Cells whose occupancy is at least the map's
+        threshold are obstacles; free and unknown cells are not.
+        \throw InputError naming the file and the error: missing, not an OctoMap, an unsupported version or kind of
+        tree, truncated, or without any occupied cell. */
     OMPL_MFA_EXPORT std::shared_ptr<fcl::OcTree<double>> loadOccupancyMap(const std::filesystem::path &file);
 
-    /** \brief Make an occupancy map of the nodes that an `octomap_msgs/Octomap` message holds in its `data`: the
-        content of an OctoMap file without its header.
+    /** \brief Make an occupancy map from the `data` of an `octomap_msgs/Octomap` message: the content of an OctoMap
+        file without its header.
         \param nodes the bytes of `data`
-        \param binary as in the message: whether nodes are only free or occupied, as in .bt, or hold occupancies
-        \param resolution edge of the smallest cell
-        \return null where no cell is occupied
-        \throw std::invalid_argument where the nodes are truncated, broken, or followed by other bytes, or the
-        resolution is not positive and finite. */
+        \param binary as in the message: whether nodes are just free or occupied (as in .bt) or hold occupancies
+        \param resolution edge length of the smallest cell, in world units
+        \return null if no cell is occupied.
+        \throw std::invalid_argument if the nodes are truncated, corrupt or followed by other bytes, or the resolution
+        is not positive and finite. */
     OMPL_MFA_EXPORT std::shared_ptr<fcl::OcTree<double>> makeOccupancyMap(const std::string &nodes, bool binary,
                                                                           double resolution);
 }  // namespace ompl_mfa::collision

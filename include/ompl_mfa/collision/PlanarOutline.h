@@ -46,21 +46,20 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief Corners of a polygon in the plane, in order, not closed. Two corners are a segment. */
+    /** \brief Corners of a polygon in the plane, in order, not closed. Two corners form a segment. */
     using Polygon = std::vector<Eigen::Vector2d>;
 
-    /** \brief What a picture of the plane draws for an obstacle: the part of it with zMin <= z <= zMax, seen from
-        above.
+    /** \brief Outline of an obstacle for a planar picture: its section with zMin <= z <= zMax, seen from above.
 
-        A primitive gives one convex polygon (round outlines have up to 128 corners, all of them on the curve), a mesh
-        one polygon or segment a triangle, an occupancy map one square an occupied cell. Nothing comes back for an
-        obstacle outside the slab.
-        \throw std::invalid_argument where zMin > zMax. */
+        A primitive yields one convex polygon (round outlines have up to 128 corners, all on the curve), a mesh one
+        polygon or segment per triangle, an occupancy map one square per occupied cell. Empty for an obstacle outside
+        the slab.
+        \throw std::invalid_argument if zMin > zMax. */
     OMPL_MFA_EXPORT std::vector<Polygon> planarOutline(const CollisionObject &object, double zMin = 0.,
                                                        double zMax = 0.);
 
-    /** \brief Whether any part of an obstacle (a triangle of a mesh, an occupied cell of a map) has zMin <= z <= zMax.
-     */
+    /** \brief Whether an obstacle (a triangle of a mesh, an occupied cell of a map) has any point with zMin <= z <=
+        zMax. */
     OMPL_MFA_EXPORT bool reachesHeights(const CollisionObject &object, double zMin, double zMax);
 }  // namespace ompl_mfa::collision
 

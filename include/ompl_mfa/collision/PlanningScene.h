@@ -50,31 +50,32 @@ namespace ompl_mfa::collision
 
         The obstacles are `world.octomap` and `world.collision_objects[]`, each of these with an `id`, an optional
         `pose`, and
-        - `primitives[]` (`type`: the name of one of primitiveKinds() or its number; `dimensions`: in its order) with
-          `primitive_poses[]`;
+        - `primitives[]` (`type`: the name or number of one of primitiveKinds(); `dimensions`: in the order listed
+          there) with `primitive_poses[]`;
         - `meshes[]` (`resource`: a mesh file, read with RootTransform::Reset, and an optional `scale`, which may be
           called `dimensions`; or `vertices[]` and `triangles[]`) with `mesh_poses[]`.
 
-        A pose is `position` (x y z) and `orientation` (x y z w), as lists or as maps. What is missing is identity; what
-        a message prints as unset, an orientation of four zeros or an empty list of poses, is so too, with one warning
-        an object on OMPL's console. Orientations are normalised.
+        A pose is `position` (x y z) and `orientation` (x y z w), as lists or as maps. A missing field means identity,
+        and so does an unset one (an orientation of four zeros, an empty list of poses), with one warning per object on
+        OMPL's console. Orientations are normalised.
 
-        Poses are in the frame that `header.frame_id` names: the planning frame (also the empty name), one that
-        `fixed_frame_transforms` place, or an object before this one or a subframe of it. Operations of objects (add,
-        remove, append, move) are followed. What would change what collides and cannot be read is an error: other
-        frames, planes, attached objects, padding and scale of links, other kinds of OctoMaps.
-        \param file the scene
-        \param packageFolders where a `resource` that is `package://PACKAGE/PATH` or a relative name is sought, after
-        the folder of the scene and before resourceFolders(); a folder holds packages or is one
+        Poses are relative to the frame `header.frame_id`: the planning frame (also the empty name), one defined by
+        `fixed_frame_transforms`, or a previous object or one of its subframes. Operations on objects (add, remove,
+        append, move) are applied. Unsupported content that affects collisions is an error: other frames, planes,
+        attached objects, padding and scale of links, other kinds of OctoMaps.
+        \param file the scene.
+        \param packageFolders searched for a `resource` that is `package://PACKAGE/PATH` or a relative name, after the
+        folder of the scene and before resourceFolders(); each contains packages or is a package.
         \throw InputError naming file, line, key and value. */
     OMPL_MFA_EXPORT Scene loadPlanningScene(const std::filesystem::path &file,
                                             const std::vector<std::filesystem::path> &packageFolders = {});
 
     /** \brief Read a planning scene in MoveIt's text format (`.scene`), as RViz exports it: a line with the name; for
-        each object a line `* ID`, in the newer format its pose, the number of shapes, the shapes (`box`, `sphere`,
-        `cylinder`, `cone`, `mesh`) with their poses and colours, in the newer format subframes; and a line `.`.
+        each object a line `* ID`, its pose (newer format only), the number of shapes, the shapes (`box`, `sphere`,
+        `cylinder`, `cone`, `mesh`) with their poses and colours, and its subframes (newer format only); finally a line
+        `.`.
 
-        An orientation of four zeros is identity, with one warning an object on OMPL's console.
+        An orientation of four zeros means identity, with one warning per object on OMPL's console.
         \throw InputError naming file, line and value. */
     OMPL_MFA_EXPORT Scene loadTextScene(const std::filesystem::path &file);
 }  // namespace ompl_mfa::collision

@@ -48,37 +48,37 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A kind of primitive shape, as a planning scene names it. docs/collision.md tells how to add another. */
+    /** \brief A kind of primitive shape in planning scenes. docs/collision.md explains how to add one. */
     struct PrimitiveKind
     {
-        /** \brief Name in a planning scene, in lower case. */
+        /** \brief Name in planning scenes, in lower case. */
         const char *name;
 
-        /** \brief Number in `shape_msgs/SolidPrimitive`; empty where MoveIt has no such shape. */
+        /** \brief Number in `shape_msgs/SolidPrimitive`; empty if MoveIt has no such shape. */
         const char *number;
 
         /** \brief Names of the dimensions, in their order. Every dimension is a length. */
         std::vector<const char *> dimensions;
 
-        /** \brief Whether a dimension may be 0, as the radius of a point. */
+        /** \brief Whether dimensions may be 0: a sphere of radius 0 is a point. */
         bool mayVanish;
 
-        /** \brief Make the shape. \param dimensions as many values as `dimensions` names, checked. */
+        /** \brief Make the shape. \param dimensions one value per name in `dimensions`, already checked. */
         std::shared_ptr<fcl::CollisionGeometryd> (*make)(const std::vector<double> &dimensions);
     };
 
-    /** \brief The primitives that scenes and robots may be made of. */
+    /** \brief All kinds of primitives. */
     OMPL_MFA_EXPORT const std::vector<PrimitiveKind> &primitiveKinds();
 
-    /** \brief The kind with this name (in lower case) or number; null where there is none. */
+    /** \brief The kind with this name (in lower case) or number; null if there is none. */
     OMPL_MFA_EXPORT const PrimitiveKind *findPrimitiveKind(const std::string &nameOrNumber);
 
     /** \brief The names of all kinds, for an error message. */
     OMPL_MFA_EXPORT std::string primitiveNames();
 
     /** \brief Make a primitive.
-        \throw std::invalid_argument naming the dimension and its value, where their number is wrong, or one is
-        negative, not finite, or zero where it may not vanish. */
+        \throw std::invalid_argument if the number of dimensions is wrong, or naming a dimension that is negative, not
+        finite, or zero without PrimitiveKind::mayVanish. */
     OMPL_MFA_EXPORT std::shared_ptr<fcl::CollisionGeometryd> makePrimitive(const PrimitiveKind &kind,
                                                                            const std::vector<double> &dimensions);
 }  // namespace ompl_mfa::collision

@@ -47,31 +47,32 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief A body that a state places: one or several shapes, fixed to each other.
+    /** \brief A rigid body of one or several shapes.
 
-        The origin of the body's frame is its reference point, which a state moves and about which it rotates. */
+        The origin of its frame is the reference point: a state gives its position, and the body rotates about it. */
     class OMPL_MFA_EXPORT RigidBody
     {
     public:
-        /** \brief A shape and where it sits in the frame of the body. */
+        /** \brief A shape and its pose in the frame of the body. */
         struct Shape
         {
             std::shared_ptr<fcl::CollisionGeometryd> geometry;
             fcl::Transform3d pose{fcl::Transform3d::Identity()};
 
-            /** \brief How many points and lines its mesh file holds beside the triangles. They do not collide. */
+            /** \brief Number of points and lines in the mesh file besides the triangles. They are ignored in collision
+                checks. */
             std::size_t skippedFaces{0};
         };
 
-        /** \throw std::invalid_argument where there is no shape, or a shape without geometry. */
+        /** \throw std::invalid_argument if there is no shape, or a shape without geometry. */
         explicit RigidBody(std::vector<Shape> shapes);
 
         /** \brief A ball, or in the plane a disc, about the reference point; radius 0 is a point.
-            \throw std::invalid_argument where the radius is negative or not finite. */
+            \throw std::invalid_argument if the radius is negative or not finite. */
         static RigidBody sphere(double radius);
 
         /** \brief A box centred at the reference point, with its sides along the axes of the body.
-            \throw std::invalid_argument where a length is not positive and finite. */
+            \throw std::invalid_argument if a length is not positive and finite. */
         static RigidBody box(double lengthX, double lengthY, double lengthZ);
 
         const std::vector<Shape> &shapes() const
@@ -79,21 +80,21 @@ namespace ompl_mfa::collision
             return shapes_;
         }
 
-        /** \brief How many points and lines the mesh files of its shapes hold, which do not collide. */
+        /** \brief Number of points and lines in the mesh files of all shapes, which are ignored in collision checks. */
         std::size_t skippedFaces() const;
 
-        /** \brief The smallest axis-aligned box that holds every shape, in the frame of the body. */
+        /** \brief Smallest axis-aligned bounding box of all shapes, in the frame of the body. */
         fcl::AABBd bounds() const;
 
-        /** \brief Radius of a ball about the reference point that holds the body: the smallest for spheres, boxes and
-            meshes, otherwise that of the boxes around the shapes. */
+        /** \brief Radius of a ball about the reference point that contains the body: the smallest one for spheres,
+            boxes and meshes, otherwise computed from the bounding boxes of the shapes. */
         double radius() const
         {
             return radius_;
         }
 
-        /** \brief Radius of an upright cylinder about the reference point that holds the body, as close as radius():
-            what a rotation about z can displace. */
+        /** \brief Radius of an upright cylinder about the reference point that contains the body, as tight as radius().
+            Bounds the displacement by a rotation about z. */
         double planarRadius() const
         {
             return planarRadius_;

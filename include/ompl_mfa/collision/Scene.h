@@ -48,11 +48,11 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief What a file may hold at most as a coordinate or a length. Distances take its eighth power, which has to
-        stay finite. */
+    /** \brief Largest coordinate or length accepted from a file. Distance computations use its eighth power, which has
+        to be finite. */
     constexpr double LARGEST_COORDINATE = 1e30;
 
-    /** \brief One obstacle: a geometry and where it stands in the world. */
+    /** \brief An obstacle: a geometry and its pose in the world. */
     struct CollisionObject
     {
         /** \brief Name of the obstacle in its file. */
@@ -61,19 +61,19 @@ namespace ompl_mfa::collision
         /** \brief The shape in its own frame. Never null, never empty. */
         std::shared_ptr<fcl::CollisionGeometryd> geometry;
 
-        /** \brief From the frame of the shape to the world. */
+        /** \brief Pose of the shape in the world. */
         fcl::Transform3d pose{fcl::Transform3d::Identity()};
 
-        /** \brief How many points and lines its mesh file holds beside the triangles. They are no obstacle. */
+        /** \brief Number of points and lines in the mesh file besides the triangles. They are not obstacles. */
         std::size_t skippedFaces{0};
     };
 
-    /** \brief The obstacles of a world: primitives, meshes and occupancy maps together. Nothing in it moves. */
+    /** \brief The static obstacles of a world: primitives, meshes and occupancy maps. */
     class OMPL_MFA_EXPORT Scene
     {
     public:
         /** \brief Add an obstacle.
-            \throw std::invalid_argument where the object has no geometry. */
+            \throw std::invalid_argument if the object has no geometry. */
         void add(CollisionObject object);
 
         /** \brief The obstacles in the order in which they were added. */
@@ -82,19 +82,19 @@ namespace ompl_mfa::collision
             return objects_;
         }
 
-        /** \brief The smallest axis-aligned box that holds every obstacle; min_ > max_ where there is none. Free and
-            unknown space of an occupancy map does not count. */
+        /** \brief Smallest axis-aligned bounding box of all obstacles; min_ > max_ if there are none. Free and unknown
+            cells of an occupancy map do not count. */
         fcl::AABBd bounds() const;
 
-        /** \brief How many points and lines the mesh files of its obstacles hold, which are no obstacle. */
+        /** \brief Number of points and lines in the mesh files of all obstacles, which are not obstacles themselves. */
         std::size_t skippedFaces() const;
 
     private:
         std::vector<CollisionObject> objects_;
     };
 
-    /** \brief The smallest axis-aligned box around `geometry` at `pose`. FCL's own box is a box around a sphere
-        wherever the pose has a rotation, and the whole addressable space for an occupancy map. */
+    /** \brief Smallest axis-aligned bounding box of `geometry` at `pose`. FCL's own box bounds a bounding sphere if the
+        pose has a rotation, and the whole addressable space of an occupancy map. */
     OMPL_MFA_EXPORT fcl::AABBd boundingBox(const fcl::CollisionGeometryd &geometry, const fcl::Transform3d &pose);
 }  // namespace ompl_mfa::collision
 

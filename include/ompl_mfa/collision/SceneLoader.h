@@ -46,36 +46,35 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief Where the reference point of a robot mesh goes. */
+    /** \brief Where the reference point of a robot mesh is placed. */
     enum class RobotCentring
     {
-        /** \brief It stays at the origin of the file. */
+        /** \brief At the origin of the file. */
         None,
 
-        /** \brief OMPL.app in SE(3): the mean of all vertices. */
+        /** \brief At the mean of all vertices, as in OMPL.app for SE(3). */
         VertexMean,
 
-        /** \brief OMPL.app in SE(2): the mean of all vertices in x and y; z stays as in the file. */
+        /** \brief At the mean of all vertices in x and y, and at z = 0 of the file, as in OMPL.app for SE(2). */
         PlanarVertexMean
     };
 
     /** \brief Read a world. The file's extension selects the reader: .yaml and .yml are planning scenes
         (loadPlanningScene), .scene planning scenes as text (loadTextScene), .bt and .ot OctoMaps (loadOccupancyMap),
-        and what else assimp has a reader for a mesh, which stays where it is in the file by OMPL.app's conventions
-        (RootTransform::Applied).
-        \param file the world
-        \param packageFolders where the meshes of a planning scene are sought, as in loadPlanningScene()
-        \throw InputError naming the file and the fault; for an unknown extension, the kinds that are read. A world is
-        never empty. */
+        and any other format that assimp reads is a mesh, placed by OMPL.app's conventions (RootTransform::Applied).
+        \param file the world.
+        \param packageFolders searched for the meshes of a planning scene, as in loadPlanningScene().
+        \throw InputError naming the file and the error, and for an unknown extension the supported ones. A world
+        without obstacles is an error. */
     OMPL_MFA_EXPORT Scene loadScene(const std::filesystem::path &file,
                                     const std::vector<std::filesystem::path> &packageFolders = {});
 
-    /** \brief Read a robot: a mesh, or a planning scene whose objects are taken as the shapes of one rigid body about
-        the origin of the file.
+    /** \brief Read a robot: a mesh, or a planning scene whose objects become the shapes of one rigid body with its
+        reference point at the origin of the file.
         \param file .yaml, .yml, .scene or a mesh.
-        \param centring for meshes only; a planning scene names its own reference point.
-        \param packageFolders as for loadScene()
-        \throw InputError naming the file and the fault. */
+        \param centring for meshes only; the reference point of a planning scene is its origin.
+        \param packageFolders as for loadScene().
+        \throw InputError naming the file and the error. */
     OMPL_MFA_EXPORT RigidBody loadRobot(const std::filesystem::path &file, RobotCentring centring,
                                         const std::vector<std::filesystem::path> &packageFolders = {});
 }  // namespace ompl_mfa::collision

@@ -47,21 +47,21 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief Where a state puts each body in the world, decided once from the state space.
+    /** \brief Poses of the bodies in a state. The mapping is determined once, from the state space.
 
         - R^2: at (x, y, 0), not rotated. R^3: at (x, y, z), not rotated.
-        - SE(2), and its Dubins and Reeds-Shepp relatives: at (x, y, 0), rotated by theta about z.
-        - SE(3): as the state says.
-        - A compound space of these, nested or not: one body for each of them, in their order.
+        - SE(2), Dubins and Reeds-Shepp spaces: at (x, y, 0), rotated by theta about z.
+        - SE(3): at the pose of the state.
+        - A compound space of these, nested or not: one body per component, in their order.
 
         Const functions are safe to call from several threads. */
     class OMPL_MFA_EXPORT StatePlacement
     {
     public:
-        /** \throw InputError naming the space (or its component) that cannot place a body, and those that can. */
+        /** \throw InputError naming the space or component that cannot place a body, and the supported ones. */
         explicit StatePlacement(const ompl::base::StateSpacePtr &space);
 
-        /** \brief How many bodies a state places. At least 1. */
+        /** \brief Number of bodies of a state, at least 1. */
         std::size_t bodyCount() const
         {
             return components_.size();
@@ -70,15 +70,15 @@ namespace ompl_mfa::collision
         /** \brief Pose of body `body` < bodyCount(). */
         void place(const ompl::base::State *state, std::size_t body, fcl::Transform3d &pose) const;
 
-        /** \brief Whether the space interpolates straight: positions on a segment and orientations along the shortest
+        /** \brief Whether the space interpolates positions along a segment and orientations along the shortest
             rotation, both at constant speed. True for all but Dubins and Reeds-Shepp spaces. */
         bool interpolatesStraight() const
         {
             return straight_;
         }
 
-        /** \brief The motion of body `body` as the space interpolates from one state to another, where it interpolates
-            straight. */
+        /** \brief Motion of body `body` between two states as the space interpolates it. Requires
+            interpolatesStraight(). */
         BodyMotion motion(const ompl::base::State *from, const ompl::base::State *to, std::size_t body) const;
 
     private:
@@ -94,7 +94,7 @@ namespace ompl_mfa::collision
         {
             Kind kind;
 
-            // From the whole state down to the one that places the body.
+            // Indices of subspaces, from the whole state down to the component that places the body.
             std::vector<unsigned int> path;
         };
 

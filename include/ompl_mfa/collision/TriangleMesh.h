@@ -49,48 +49,47 @@
 
 namespace ompl_mfa::collision
 {
-    /** \brief The bounding volume hierarchy that every mesh is held in. */
+    /** \brief Bounding volume hierarchy of a mesh. */
     using MeshGeometry = fcl::BVHModel<fcl::OBBRSS<double>>;
 
-    /** \brief Triangles of a mesh file, all nodes merged. */
+    /** \brief Triangles of a mesh file, with all nodes merged. */
     struct TriangleMesh
     {
         std::vector<fcl::Vector3d> vertices;
         std::vector<fcl::Triangle> triangles;
 
-        /** \brief Mean over all vertices that assimp leaves after its post-processing, those of lines and points
-            included: what OMPL.app takes as the centre of a robot. */
+        /** \brief Mean of all vertices after assimp's post-processing, including those of lines and points: OMPL.app's
+            centre of a robot. */
         fcl::Vector3d vertexMean{fcl::Vector3d::Zero()};
 
-        /** \brief How many points and lines the file holds, which are left out, as OMPL.app does. */
+        /** \brief Number of points and lines in the file. They are left out, as in OMPL.app. */
         std::size_t skippedFaces{0};
     };
 
-    /** \brief What becomes of the transform of a file's root node, where assimp puts the up axis and the unit that
-        Collada and other formats declare. */
+    /** \brief Treatment of the transform of a file's root node, in which assimp stores the up axis and the unit
+        declared by Collada and other formats. */
     enum class RootTransform
     {
-        /** \brief OMPL.app's convention: it is applied, so that y is up and the unit is the metre. */
+        /** \brief OMPL.app's convention: applied, so that y is up and the unit is the metre. */
         Applied,
 
-        /** \brief MoveIt's convention (`mesh_operations.cpp` of geometric_shapes): it is reset to identity, so that
-            coordinates stay as the file has them. */
+        /** \brief MoveIt's convention (`mesh_operations.cpp` of geometric_shapes): reset to identity, so that the
+            coordinates are those of the file. */
         Reset
     };
 
-    /** \brief Read a mesh with assimp: the transforms of all nodes are applied, that of the root as `root` says, and
-        polygons are cut into triangles. Points and lines are left out and counted.
-        \throw InputError naming the file, where it is missing or unreadable, has no triangle, holds faces of which
-        assimp loses some (triangle strips of PLY, polygons that cross themselves), or has a coordinate that is not
-        finite. */
+    /** \brief Read a mesh with assimp: the transforms of all nodes are applied, that of the root according to `root`,
+        and polygons are triangulated. Points and lines are left out but counted.
+        \throw InputError naming the file, if it is missing or unreadable, has no triangle, contains faces that assimp
+        loses (triangle strips of PLY, self-intersecting polygons), or has a coordinate that is not finite. */
     OMPL_MFA_EXPORT TriangleMesh loadMesh(const std::filesystem::path &file,
                                           RootTransform root = RootTransform::Applied);
 
-    /** \brief Whether assimp has a reader for the extension of this file's name. */
+    /** \brief Whether assimp reads files with this extension. */
     OMPL_MFA_EXPORT bool isMeshFile(const std::filesystem::path &file);
 
     /** \brief Build the hierarchy over a mesh, shifted by `offset`.
-        \throw std::invalid_argument where the mesh has no triangle. */
+        \throw std::invalid_argument if the mesh has no triangle. */
     OMPL_MFA_EXPORT std::shared_ptr<MeshGeometry> makeMeshGeometry(const TriangleMesh &mesh,
                                                                    const fcl::Vector3d &offset = fcl::Vector3d::Zero());
 }  // namespace ompl_mfa::collision
