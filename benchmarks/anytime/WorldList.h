@@ -37,6 +37,7 @@
 #ifndef OMPL_MFA_BENCHMARKS_ANYTIME_WORLD_LIST_
 #define OMPL_MFA_BENCHMARKS_ANYTIME_WORLD_LIST_
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -48,14 +49,40 @@ namespace ompl_mfa::anytime
     /** \brief Wall with a gap, double enclosure, dividing walls and random boxes: unit cubes of 2 to 16 dimensions. */
     std::vector<World> boxWorlds();
 
+    /** \brief A world of \e kind `wall_gap`, `double_enclosure` or `dividing_walls`, of at least 2 dimensions, or
+        `random_boxes`, of 2, 4, 8 or 16. */
+    World boxWorld(const std::string &kind, int dimension, std::uint64_t seed);
+
     /** \brief Unit squares full of discs whose shortest path squeezes through a gap that is easily missed. */
     std::vector<World> circleWorlds();
 
     /** \brief Length of the shortest path of the circle world of \e seed that keeps \e margin away from its discs. */
     double circleOptimum(std::uint64_t seed, double margin);
 
+    /** \brief Whether that path grows by more than 2% when the discs grow by 0.004, as in circleWorlds(): it squeezes
+        through a narrow gap. */
+    bool hasNarrowCircles(std::uint64_t seed);
+
+    World circleWorld(std::uint64_t seed);
+
     /** \brief Planar arms of 7 and 12 links that have to fold to get past discs. Angles in radians. */
     std::vector<World> armWorlds();
+
+    /** \brief Such an arm of \e links links, 2 at least. */
+    World armWorld(int links, std::uint64_t seed);
+
+    /** \brief The families of worlds that are drawn from seeds, as generatedWorlds() takes them, with the numbers of
+        dimensions or links that they have. */
+    std::vector<std::string> generatedFamilies();
+
+    /** \brief Worlds by their names `FAMILY_SEED`, such as `random_boxes_8d_101`, with any seed from 1 to 4294967295,
+        whether the suite has them or not; a name that comes again counts once.
+
+        Throws InputError for a name of another form, and for a world that is known not to be worth planning in: one
+        whose straight motion from start to goal is free, or, where geometry gives the shortest path, that has no path,
+        or whose discs leave no narrow gap. Whether random boxes of 4 dimensions or more and arms have a path only
+        planners can tell. */
+    std::vector<World> generatedWorlds(const std::vector<std::string> &names);
 
     /** \brief Every config of SE(2) or SE(3) in \e folder, named \e prefix and the file's stem; none where there is no
         such folder. Throws InputError for a config that cannot be read. */
@@ -71,6 +98,14 @@ namespace ompl_mfa::anytime
     /** \brief The worlds whose name contains a match of \e pattern. Throws InputError for a pattern that is not a
         regular expression or matches nothing. */
     std::vector<World> selectWorlds(const std::string &pattern);
+
+    /** \brief generatedWorlds() of \e generated, and selectWorlds() of \e pattern unless that is empty and there are
+        others; each world once. */
+    std::vector<World> selectWorlds(const std::string &pattern, const std::vector<std::string> &generated);
+
+    /** \brief A pattern for the statistics: it matches the names that \e pattern matches, unless that is empty and
+       there are generated worlds, and those of \e generated. */
+    std::string namePattern(const std::string &pattern, const std::vector<std::string> &generated);
 }  // namespace ompl_mfa::anytime
 
 #endif
