@@ -77,24 +77,24 @@ namespace ompl_mfa::anytime
             }
             return obstacles;
         }
-
-        World armWorld(int links, std::uint64_t seed)
-        {
-            World world;
-            world.family = "arm_" + std::to_string(links);
-            world.name = world.family + "_" + std::to_string(seed);
-            world.make = [links, seed]
-            {
-                WorldRandom random(seed);
-                const Eigen::VectorXd limit = Eigen::VectorXd::Constant(links, PI);
-                const Eigen::VectorXd start = startAngles(links);
-                return makeProblem(-limit, limit, start, -start, RESOLUTION,
-                                   [links, obstacles = drawObstacles(links, random)](const double *angles)
-                                   { return armIsFree(angles, links, obstacles); });
-            };
-            return world;
-        }
     }  // namespace
+
+    World armWorld(int links, std::uint64_t seed)
+    {
+        World world;
+        world.family = "arm_" + std::to_string(links);
+        world.name = world.family + "_" + std::to_string(seed);
+        world.make = [links, seed]
+        {
+            WorldRandom random(seed);
+            const Eigen::VectorXd limit = Eigen::VectorXd::Constant(links, PI);
+            const Eigen::VectorXd start = startAngles(links);
+            return makeProblem(-limit, limit, start, -start, RESOLUTION,
+                               [links, obstacles = drawObstacles(links, random)](const double *angles)
+                               { return armIsFree(angles, links, obstacles); });
+        };
+        return world;
+    }
 
     std::vector<World> armWorlds()
     {

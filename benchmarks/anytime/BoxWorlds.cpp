@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include <memory>
+#include <map>
 #include <utility>
 
 #include "anytime/WorldList.h"
@@ -251,61 +251,76 @@ namespace ompl_mfa::anytime
             return scene;
         }
 
-        using SceneMaker = std::function<BoxScene(Eigen::Index, WorldRandom &)>;
-
-        /* \e planar: the shortest path lies in the plane of the first two coordinates, so that its length is that of
-           the same scene in two dimensions. */
-        World boxWorld(const std::string &kind, Eigen::Index dimension, std::uint64_t seed, bool planar,
-                       const SceneMaker &maker)
+        BoxScene randomBoxes(Eigen::Index dimension, WorldRandom &random)
         {
-            World world;
-            world.family = kind + "_" + std::to_string(dimension) + "d";
-            world.name = world.family + "_" + std::to_string(seed);
-            world.make = [=]
+            switch (dimension)
             {
-                WorldRandom random(seed);
-                return makeBoxProblem(maker(dimension, random));
-            };
-            if (planar)
-            {
-                world.optimum = [=]
-                {
-                    WorldRandom random(seed);
-                    return planarOptimum(maker(2, random));
-                };
+                case 2:
+                    return randomBoxes(dimension, 40, 0.08, 0.2, random);
+                case 4:
+                    return randomBoxes(dimension, 60, 0.2, 0.5, random);
+                case 8:
+                    return randomBoxes(dimension, 60, 0.4, 0.8, random);
+                default:
+                    return randomBoxes(dimension, 60, 0.6, 0.95, random);
             }
-            return world;
         }
 
-        World randomBoxWorld(Eigen::Index dimension, std::uint64_t seed, int count, double low, double high)
+        struct BoxKind
         {
-            return boxWorld("random_boxes", dimension, seed, dimension == 2,
-                            [=](Eigen::Index n, WorldRandom &random)
-                            { return randomBoxes(n, count, low, high, random); });
+            BoxScene (*make)(Eigen::Index, WorldRandom &);
+            /* The shortest path keeps to the plane of the first two coordinates, so that the optimum of the same scene
+               in two dimensions is the optimum. */
+            bool planar;
+        };
+
+        const BoxKind &kindOf(const std::string &kind)
+        {
+            static const std::map<std::string, BoxKind> KINDS = {{"wall_gap", {wallGap, true}},
+                                                                 {"double_enclosure", {doubleEnclosure, true}},
+                                                                 {"dividing_walls", {dividingWalls, true}},
+                                                                 {"random_boxes", {randomBoxes, false}}};
+            return KINDS.at(kind);
+        }
+
+        BoxScene makeScene(const std::string &kind, Eigen::Index dimension, std::uint64_t seed)
+        {
+            WorldRandom random(seed);
+            return kindOf(kind).make(dimension, random);
         }
     }  // namespace
+
+    World boxWorld(const std::string &kind, int dimension, std::uint64_t seed)
+    {
+        World world;
+        world.family = kind + "_" + std::to_string(dimension) + "d";
+        world.name = world.family + "_" + std::to_string(seed);
+        world.make = [=] { return makeBoxProblem(makeScene(kind, dimension, seed)); };
+        if (dimension == 2 || kindOf(kind).planar)
+        {
+            world.optimum = [=] { return planarOptimum(makeScene(kind, 2, seed)); };
+        }
+        return world;
+    }
 
     std::vector<World> boxWorlds()
     {
         std::vector<World> worlds;
-        for (const Eigen::Index dimension : {2, 4, 8})
+        for (const int dimension : {2, 4, 8})
         {
-            worlds.push_back(boxWorld("wall_gap", dimension, 1, true, wallGap));
+            worlds.push_back(boxWorld("wall_gap", dimension, 1));
         }
-        for (const Eigen::Index dimension : {2, 4})
+        for (const char *kind : {"double_enclosure", "dividing_walls"})
         {
-            worlds.push_back(boxWorld("double_enclosure", dimension, 1, true, doubleEnclosure));
-        }
-        for (const Eigen::Index dimension : {2, 4})
-        {
-            worlds.push_back(boxWorld("dividing_walls", dimension, 1, true, dividingWalls));
+            worlds.push_back(boxWorld(kind, 2, 1));
+            worlds.push_back(boxWorld(kind, 4, 1));
         }
         for (const std::uint64_t seed : {1, 2})
         {
-            worlds.push_back(randomBoxWorld(2, seed, 40, 0.08, 0.2));
-            worlds.push_back(randomBoxWorld(4, seed, 60, 0.2, 0.5));
-            worlds.push_back(randomBoxWorld(8, seed, 60, 0.4, 0.8));
-            worlds.push_back(randomBoxWorld(16, seed, 60, 0.6, 0.95));
+            for (const int dimension : {2, 4, 8, 16})
+            {
+                worlds.push_back(boxWorld("random_boxes", dimension, seed));
+            }
         }
         return worlds;
     }

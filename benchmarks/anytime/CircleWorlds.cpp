@@ -80,14 +80,14 @@ namespace ompl_mfa::anytime
             return drawScene(random);
         }
 
-        Problem makeCircleProblem(std::uint64_t seed)
+        StateCheck circleCheck(std::uint64_t seed)
         {
             std::vector<double> circles;  // x, y and squared radius of each disc
             for (const auto &disc : makeScene(seed).obstacles)
             {
                 circles.insert(circles.end(), {disc.vertices[0].x(), disc.vertices[0].y(), disc.radius * disc.radius});
             }
-            const auto isFree = [circles = std::move(circles)](const double *x)
+            return [circles = std::move(circles)](const double *x)
             {
                 for (std::size_t i = 0; i < circles.size(); i += 3)
                 {
@@ -100,7 +100,6 @@ namespace ompl_mfa::anytime
                 }
                 return true;
             };
-            return makeProblem(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones(), start(), goal(), RESOLUTION, isFree);
         }
     }  // namespace
 
@@ -111,19 +110,28 @@ namespace ompl_mfa::anytime
         return oracle::shortestPath(scene, start(), goal()).length;
     }
 
+    bool hasNarrowCircles(std::uint64_t seed)
+    {
+        return circleOptimum(seed, 0.004) > 1.02 * circleOptimum(seed, 0.0);
+    }
+
+    World circleWorld(std::uint64_t seed)
+    {
+        World world;
+        world.family = "circles_narrow_2d";
+        world.name = world.family + "_" + std::to_string(seed);
+        world.make = [seed]
+        {
+            return makeProblem(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones(), start(), goal(), RESOLUTION,
+                               circleCheck(seed));
+        };
+        world.optimum = [seed] { return circleOptimum(seed, 0.0); };
+        return world;
+    }
+
     std::vector<World> circleWorlds()
     {
-        std::vector<World> worlds;
-        // the first seeds whose shortest path grows by more than 2% when the discs grow by 0.004
-        for (const std::uint64_t seed : {3, 7, 8})
-        {
-            World world;
-            world.family = "circles_narrow_2d";
-            world.name = world.family + "_" + std::to_string(seed);
-            world.make = [seed] { return makeCircleProblem(seed); };
-            world.optimum = [seed] { return circleOptimum(seed, 0.0); };
-            worlds.push_back(std::move(world));
-        }
-        return worlds;
+        // the first seeds for which hasNarrowCircles()
+        return {circleWorld(3), circleWorld(7), circleWorld(8)};
     }
 }  // namespace ompl_mfa::anytime

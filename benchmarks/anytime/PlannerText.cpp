@@ -65,8 +65,8 @@ namespace ompl_mfa::anytime
 
     std::vector<std::string> peers()
     {
-        std::vector<std::string> names{"rrtstar", "informedrrtstar",      "prmstar", "bitstar", "abitstar",
-                                       "aitstar", "anytimepathshortening"};
+        std::vector<std::string> names{"rrtstar", "informedrrtstar",       "prmstar",         "bitstar", "abitstar",
+                                       "aitstar", "anytimepathshortening", "restart_simplify"};
 #ifdef OMPL_MFA_HAS_EITSTAR
         names.emplace_back("eitstar");
 #endif

@@ -44,8 +44,8 @@
 
 namespace ompl_mfa::anytime
 {
-    /** \brief RRT*, Informed RRT*, PRM*, BIT*, ABIT*, AIT*, AnytimePathShortening, those of EIT*, BLIT* and AORRTC
-        available in the linked OMPL, and, for first solutions, RRT-Connect. */
+    /** \brief RRT*, Informed RRT*, PRM*, BIT*, ABIT*, AIT*, AnytimePathShortening, RRT-Connect restarted and
+       simplified, and those of EIT*, BLIT* and AORRTC that the linked OMPL has; RRT-Connect for its first solutions. */
     std::vector<std::string> peers();
 
     /** \brief Splits `A,B:KEY=VALUE,KEY=VALUE,C` into `A`, `B:KEY=VALUE,KEY=VALUE` and `C`; `peers` stands for all

@@ -36,6 +36,7 @@
 
 #include "anytime/WorldList.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iterator>
 #include <regex>
@@ -94,5 +95,33 @@ namespace ompl_mfa::anytime
             throw InputError("--worlds '" + pattern + "': no world has such a name; `ompl_mfa_anytime list` names all");
         }
         return selected;
+    }
+
+    std::vector<World> selectWorlds(const std::string &pattern, const std::vector<std::string> &generated)
+    {
+        std::vector<World> worlds = generatedWorlds(generated);
+        if (pattern.empty() && !worlds.empty())
+        {
+            return worlds;
+        }
+        for (auto &world : selectWorlds(pattern))
+        {
+            const auto isSame = [&world](const World &other) { return other.name == world.name; };
+            if (std::none_of(worlds.begin(), worlds.end(), isSame))
+            {
+                worlds.push_back(std::move(world));
+            }
+        }
+        return worlds;
+    }
+
+    std::string namePattern(const std::string &pattern, const std::vector<std::string> &generated)
+    {
+        std::string both = pattern;
+        for (const std::string &name : generated)
+        {
+            both += (both.empty() ? "^" : "|^") + name + "$";
+        }
+        return both;
     }
 }  // namespace ompl_mfa::anytime

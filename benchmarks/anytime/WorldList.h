@@ -37,6 +37,7 @@
 #ifndef OMPL_MFA_BENCHMARKS_ANYTIME_WORLD_LIST_
 #define OMPL_MFA_BENCHMARKS_ANYTIME_WORLD_LIST_
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -49,18 +50,44 @@ namespace ompl_mfa::anytime
         dimensions. */
     std::vector<World> boxWorlds();
 
-    /** \brief Unit squares full of discs, whose shortest path passes through a narrow gap. */
+    /** \brief A world of \e kind `wall_gap`, `double_enclosure` or `dividing_walls`, of at least 2 dimensions, or
+        `random_boxes`, of 2, 4, 8 or 16. */
+    World boxWorld(const std::string &kind, int dimension, std::uint64_t seed);
+
+    /** \brief Unit squares full of discs whose shortest path squeezes through a gap that is easily missed. */
     std::vector<World> circleWorlds();
 
     /** \brief Length of the shortest path in the circle world of \e seed with a distance of at least \e margin to its
         discs. */
     double circleOptimum(std::uint64_t seed, double margin);
 
-    /** \brief Planar arms of 7 and 12 links that have to fold to pass discs. Angles in radians. */
+    /** \brief Whether that path grows by more than 2% when the discs grow by 0.004, as in circleWorlds(): it squeezes
+        through a narrow gap. */
+    bool hasNarrowCircles(std::uint64_t seed);
+
+    World circleWorld(std::uint64_t seed);
+
+    /** \brief Planar arms of 7 and 12 links that have to fold to get past discs. Angles in radians. */
     std::vector<World> armWorlds();
 
-    /** \brief All configs of SE(2) or SE(3) in \e folder, named by \e prefix and the file's stem; none if there is no
-        such folder. Throws InputError for an invalid config. */
+    /** \brief Such an arm of \e links links, 2 at least. */
+    World armWorld(int links, std::uint64_t seed);
+
+    /** \brief The families of worlds that are drawn from seeds, as generatedWorlds() takes them, with the numbers of
+        dimensions or links that they have. */
+    std::vector<std::string> generatedFamilies();
+
+    /** \brief Worlds by their names `FAMILY_SEED`, such as `random_boxes_8d_101`, with any seed from 1 to 4294967295,
+        whether the suite has them or not; a name that comes again counts once.
+
+        Throws InputError for a name of another form, and for a world that is known not to be worth planning in: one
+        whose straight motion from start to goal is free, or, where geometry gives the shortest path, that has no path,
+        or whose discs leave no narrow gap. Whether random boxes of 4 dimensions or more and arms have a path only
+        planners can tell. */
+    std::vector<World> generatedWorlds(const std::vector<std::string> &names);
+
+    /** \brief Every config of SE(2) or SE(3) in \e folder, named \e prefix and the file's stem; none where there is no
+        such folder. Throws InputError for a config that cannot be read. */
     std::vector<World> configWorlds(const std::filesystem::path &folder, const std::string &prefix);
 
     /** \brief Those of the five sample problems of OMPL.app found in \e folder. */
@@ -73,6 +100,14 @@ namespace ompl_mfa::anytime
     /** \brief The worlds whose name contains a match of \e pattern. Throws InputError for an invalid regular expression
         or one that matches nothing. */
     std::vector<World> selectWorlds(const std::string &pattern);
+
+    /** \brief generatedWorlds() of \e generated, and selectWorlds() of \e pattern unless that is empty and there are
+        others; each world once. */
+    std::vector<World> selectWorlds(const std::string &pattern, const std::vector<std::string> &generated);
+
+    /** \brief A pattern for the statistics: it matches the names that \e pattern matches, unless that is empty and
+       there are generated worlds, and those of \e generated. */
+    std::string namePattern(const std::string &pattern, const std::vector<std::string> &generated);
 }  // namespace ompl_mfa::anytime
 
 #endif

@@ -59,7 +59,8 @@ namespace
 
     struct Options
     {
-        std::string worlds{"."};
+        std::string worlds;
+        std::vector<std::string> generated;
         std::string planners{"mfa,peers"};
         std::uint32_t seeds{15};
         double time{2.0};
@@ -80,6 +81,11 @@ namespace
         {
             std::cout << world.name << '\n';
         }
+        std::cout << "\nfamilies of generated worlds, each with seeds from 1 to 4294967295:\n";
+        for (const auto &family : anytime::generatedFamilies())
+        {
+            std::cout << family << '\n';
+        }
         std::cout << "\nplanners, as PLANNER[:KEY=VALUE,...]:";
         for (const auto &name : ompl_mfa::benchmark::plannerNames())
         {
@@ -95,7 +101,7 @@ namespace
 
     void printOptima(const Options &options)
     {
-        for (const auto &world : anytime::selectWorlds(options.worlds))
+        for (const auto &world : anytime::selectWorlds(options.worlds, options.generated))
         {
             if (!world.optimum)
             {
@@ -113,8 +119,13 @@ namespace
     [[noreturn]] void report(const Options &options)
     {
         const std::string script = OMPL_MFA_SOURCE_DIR "/benchmarks/anytime/report.py";
-        std::vector<std::string> arguments{"/usr/bin/python3", script,     options.runs.string(), "--clock",
-                                           options.clock,      "--worlds", options.worlds};
+        std::vector<std::string> arguments{"/usr/bin/python3",
+                                           script,
+                                           options.runs.string(),
+                                           "--clock",
+                                           options.clock,
+                                           "--worlds",
+                                           anytime::namePattern(options.worlds, options.generated)};
         if (!options.csv.empty())
         {
             arguments.insert(arguments.end(), {"--csv", options.csv.string()});
@@ -149,7 +160,7 @@ namespace
 
     void run(const Options &options)
     {
-        const anytime::CampaignRequest request{anytime::selectWorlds(options.worlds),
+        const anytime::CampaignRequest request{anytime::selectWorlds(options.worlds, options.generated),
                                                anytime::splitPlanners(options.planners), options.seeds, options.time,
                                                options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::Wall};
         ompl_mfa::campaign::RunOptions runs;
@@ -170,7 +181,6 @@ namespace
 
     void addReportOptions(CLI::App &command, Options &options)
     {
-        command.add_option("--worlds", options.worlds, "regular expression that selects worlds")->capture_default_str();
         command.add_option("--runs", options.runs, "file of the runs")->capture_default_str();
         command.add_option("--clock", options.clock, "what times count: cpu is deaf to other programs")
             ->check(CLI::IsMember({"cpu", "wall"}))
@@ -183,6 +193,19 @@ namespace
             ->needs(results);
     }
 
+    void addWorldOption(CLI::App &command, Options &options)
+    {
+        command.add_option("--worlds", options.worlds, "regular expression that selects worlds; all if not given");
+    }
+
+    void addWorldOptions(CLI::App &command, Options &options)
+    {
+        command.add_option("--worlds", options.worlds,
+                           "regular expression that selects worlds; all, or none with --generated, if not given");
+        command.add_option("--generated", options.generated,
+                           "worlds of any seed, such as random_boxes_8d_101 arm_7_{11..15}; `list` has the families");
+    }
+
     int parseAndRun(int argc, char **argv)
     {
         CLI::App app("Cost over time of MFA and its peers, one process a run");
@@ -190,9 +213,10 @@ namespace
         Options options;
         app.add_subcommand("list", "names of worlds and planners")->callback(list);
         auto *optima = app.add_subcommand("optima", "exact optima of the worlds that have one, a JSON object a line");
-        optima->add_option("--worlds", options.worlds, "regular expression that selects worlds");
+        addWorldOptions(*optima, options);
         optima->callback([&options] { printOptima(options); });
         auto *running = app.add_subcommand("run", "make the runs that are missing, then report");
+        addWorldOptions(*running, options);
         addReportOptions(*running, options);
         running->add_option("--planners", options.planners, "PLANNER[:KEY=VALUE,...],...; `peers` stands for all peers")
             ->capture_default_str();
@@ -204,6 +228,7 @@ namespace
         running->add_flag("--fresh", options.fresh, "forget the runs of the file first");
         running->callback([&options] { run(options); });
         auto *reporting = app.add_subcommand("report", "statistics of the runs made so far");
+        addWorldOption(*reporting, options);
         addReportOptions(*reporting, options);
         reporting->add_flag("--update-references", options.updateReferences,
                             "store the best paths found in benchmarks/anytime/references.jsonl");

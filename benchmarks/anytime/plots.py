@@ -19,10 +19,11 @@ from cost_over_time import FIRST_ONLY, LEVELS, OWN, TARGETS
 from results import TELLING, read_records, value_of
 
 COLOURS = {"mfa": "#1b7837", "rrtstar": "#666666", "informedrrtstar": "#d95f02", "prmstar": "#a6761d",
-           "bitstar": "#1f77b4", "abitstar": "#7b3294", "aitstar": "#e6ab02", "anytimepathshortening": "#e7298a", "rrtconnect": "#000000"}
+           "bitstar": "#1f77b4", "abitstar": "#7b3294", "aitstar": "#e6ab02", "anytimepathshortening": "#e7298a",
+           "restart_simplify": "#66c2a5", "rrtconnect": "#000000"}
 NAMES = {"mfa": "MFA", "rrtstar": "RRT*", "informedrrtstar": "Informed RRT*", "prmstar": "PRM*", "bitstar": "BIT*",
          "abitstar": "ABIT*", "aitstar": "AIT*", "anytimepathshortening": "AnytimePathShortening",
-         "rrtconnect": "RRT-Connect (first path)"}
+         "restart_simplify": "RRT-Connect restarted, simplified", "rrtconnect": "RRT-Connect (first path)"}
 LEAST, MOST = 0.03, 300.0
 TICKS = [0.1, 1, 5, 10, 100]
 

@@ -7,7 +7,7 @@ import math
 import pathlib
 import statistics
 
-from cost_over_time import (TARGETS, geometric_mean, make_rows, order_statistic_interval, read_references, read_runs,
+from cost_over_time import (REFERENCES, TARGETS, geometric_mean, make_rows, order_statistic_interval, read_references, read_runs,
                             update_references)
 from results import TELLING, excess, planner_record, remarks, write_records, write_results
 
@@ -155,12 +155,17 @@ def main():
                         help="write planners.csv, worlds.csv, summary.csv and curves.csv to this folder")
     parser.add_argument("--curves", default="|".join(TELLING),
                         help="regular expression that selects the worlds of curves.csv")
+    parser.add_argument("--references", type=pathlib.Path, action="append", default=[],
+                        help="best costs of further worlds, as `ompl_mfa_anytime optima --generated` prints them")
     parser.add_argument("--update-references", action="store_true", help="store the best paths found")
     options = parser.parse_args()
     runs = read_runs(options.runs, options.clock, options.worlds)
     if options.update_references:
         update_references(runs, str(datetime.date.today()))
-    rows = make_rows(runs, read_references())
+    references = {}
+    for path in [*options.references, REFERENCES]:
+        references |= read_references(path)
+    rows = make_rows(runs, references)
     print_tables(rows, options.clock)
     if options.csv:
         write_records([planner_record(row) for row in rows], pathlib.Path(options.csv))

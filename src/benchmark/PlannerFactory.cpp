@@ -45,8 +45,8 @@
 #include <boost/algorithm/string.hpp>
 
 #include <ompl/base/spaces/RealVectorStateSpace.h>
-#include <ompl/util/Console.h>
 
+#include "benchmark/NoWarnings.h"
 #include "benchmark/PlannerTable.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
@@ -195,30 +195,9 @@ namespace ompl_mfa::benchmark
             failAt(entry, "unknown parameter of planner '" + spec.type + "'" + text::suggestion(entry.key, names));
         }
 
-        /* Suppresses OMPL's warnings during its lifetime: they would repeat the error. */
-        class NoWarnings
-        {
-        public:
-            NoWarnings()
-            {
-                ompl::msg::setLogLevel(std::max(level_, ompl::msg::LOG_ERROR));
-            }
-
-            ~NoWarnings()
-            {
-                ompl::msg::setLogLevel(level_);
-            }
-
-            NoWarnings(const NoWarnings &) = delete;
-            NoWarnings &operator=(const NoWarnings &) = delete;
-
-        private:
-            ompl::msg::LogLevel level_{ompl::msg::getLogLevel()};
-        };
-
         void setParameter(planner::SelectiveParam &parameter, const ConfigEntry &entry)
         {
-            const NoWarnings noWarnings;
+            const NoWarnings noWarnings;  // they would say again what the error says
             const bool isSwitch = valueType(parameter) == ValueType::Switch;
             if (!parameter.setValue(isSwitch ? (switchValue(entry) ? "1" : "0") : entry.value))
             {

@@ -81,6 +81,7 @@
 
 #include "OmplCompatibility.h"
 #include "benchmark/PositionTaskSpace.h"
+#include "benchmark/RestartSimplify.h"
 #include "ompl_mfa/planner/MFA.h"
 
 #ifdef OMPL_MFA_HAS_EITSTAR
@@ -157,6 +158,7 @@ namespace ompl_mfa::benchmark
             table["mfa"] = entry<MFA>("MFA");
             table["mfa_paper"] = paperEntry("MFA-paper", "mfa");
             table["fa_paper"] = paperEntry("FA-paper", "fa");
+            table["restart_simplify"] = entry<RestartSimplify>("RestartSimplify");
         }
 
         ob::PlannerPtr allocateTSRRT(const ob::SpaceInformationPtr &si)

@@ -58,7 +58,7 @@ namespace ompl_mfa::anytime
     {
         const Texts all = splitPlanners("mfa,peers");
         for (const char *name : {"mfa", "rrtstar", "informedrrtstar", "prmstar", "bitstar", "abitstar", "aitstar",
-                                 "anytimepathshortening", "rrtconnect"})
+                                 "anytimepathshortening", "restart_simplify", "rrtconnect"})
         {
             EXPECT_EQ(std::count(all.begin(), all.end(), name), 1) << name;
         }

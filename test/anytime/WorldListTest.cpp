@@ -39,9 +39,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <queue>
 #include <random>
+#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -217,6 +219,10 @@ namespace ompl_mfa::anytime
         {
             EXPECT_GT(circleOptimum(seed, 0.004), 1.02 * circleOptimum(seed, 0.0)) << seed;
         }
+        for (const std::uint64_t seed : {1, 2, 4, 5, 6})
+        {
+            EXPECT_FALSE(hasNarrowCircles(seed)) << "the suite has the first seeds that have a narrow gap";
+        }
     }
 
     TEST(WorldList, StoredReferencesHoldInTheirWorlds)
@@ -255,6 +261,170 @@ namespace ompl_mfa::anytime
             EXPECT_NEAR(path.length(), reference["cost"].get<double>(), 1e-6 * path.length()) << world->name;
         }
         EXPECT_EQ(exact, 12U);
+    }
+
+    namespace
+    {
+        std::vector<std::string> namesOf(const std::vector<World> &worlds)
+        {
+            std::vector<std::string> names;
+            std::transform(worlds.begin(), worlds.end(), std::back_inserter(names),
+                           [](const World &world) { return world.name; });
+            return names;
+        }
+
+        std::string refusalOf(const std::string &name)
+        {
+            try
+            {
+                generatedWorlds({name});
+            }
+            catch (const InputError &error)
+            {
+                return error.what();
+            }
+            return "";
+        }
+    }  // namespace
+
+    TEST(GeneratedWorlds, AreThoseOfTheSuiteWhereItHasThem)
+    {
+        std::mt19937 engine(5);
+        for (const auto &world : selectWorlds(OWN_WORLDS))
+        {
+            const World generated = generatedWorlds({world.name}).at(0);
+            EXPECT_EQ(generated.name, world.name);
+            EXPECT_EQ(generated.family, world.family);
+            ASSERT_EQ(static_cast<bool>(generated.optimum), static_cast<bool>(world.optimum)) << world.name;
+            if (world.optimum)
+            {
+                EXPECT_EQ(generated.optimum(), world.optimum());
+            }
+            const auto first = world.make();
+            const auto second = generated.make();
+            const auto &bounds = first.si->getStateSpace()->as<ob::RealVectorStateSpace>()->getBounds();
+            for (int i = 0; i < 300; ++i)
+            {
+                const auto reals = randomReals(engine, bounds);
+                ASSERT_EQ(isFree(first, reals), isFree(second, reals)) << world.name;
+            }
+        }
+    }
+
+    TEST(GeneratedWorlds, HaveOtherObstaclesWithAnotherSeed)
+    {
+        const std::vector<std::pair<std::string, unsigned int>> families = {{"wall_gap_3d", 3},
+                                                                            {"double_enclosure_2d", 2},
+                                                                            {"dividing_walls_16d", 16},
+                                                                            {"random_boxes_2d", 2},
+                                                                            {"random_boxes_4d", 4},
+                                                                            {"random_boxes_8d", 8},
+                                                                            {"random_boxes_16d", 16},
+                                                                            {"arm_2", 2},
+                                                                            {"arm_7", 7},
+                                                                            {"arm_16", 16}};
+        std::mt19937 engine(6);
+        for (const auto &[family, dimension] : families)
+        {
+            const auto worlds = generatedWorlds({family + "_101", family + "_102"});
+            ASSERT_EQ(worlds.size(), 2U);
+            EXPECT_EQ(worlds[0].family, family);
+            const auto first = worlds[0].make();
+            const auto second = worlds[1].make();
+            EXPECT_EQ(first.si->getStateDimension(), dimension);
+            EXPECT_TRUE(first.si->isValid(first.pdef->getStartState(0))) << family;
+            EXPECT_TRUE(first.si->isValid(first.pdef->getGoal()->as<ob::GoalState>()->getState())) << family;
+            const auto &bounds = first.si->getStateSpace()->as<ob::RealVectorStateSpace>()->getBounds();
+            int different = 0;
+            for (int i = 0; i < 20000; ++i)
+            {
+                const auto reals = randomReals(engine, bounds);
+                different += isFree(first, reals) != isFree(second, reals) ? 1 : 0;
+            }
+            EXPECT_GT(different, 0) << family;
+        }
+    }
+
+    TEST(GeneratedWorlds, AreWorthPlanningIn)
+    {
+        std::vector<std::string> names;
+        for (const char *family : {"wall_gap_5d", "double_enclosure_3d", "dividing_walls_6d", "random_boxes_2d",
+                                   "random_boxes_4d", "random_boxes_16d", "arm_2", "arm_16"})
+        {
+            for (int seed = 110; seed < 120; ++seed)
+            {
+                names.push_back(std::string(family) + "_" + std::to_string(seed));
+            }
+        }
+        for (const World &world : generatedWorlds(names))
+        {
+            const auto problem = world.make();
+            const ob::State *start = problem.pdef->getStartState(0);
+            const ob::State *goal = problem.pdef->getGoal()->as<ob::GoalState>()->getState();
+            EXPECT_TRUE(problem.si->isValid(start)) << world.name;
+            EXPECT_TRUE(problem.si->isValid(goal)) << world.name;
+            EXPECT_FALSE(problem.si->checkMotion(start, goal)) << world.name;
+        }
+    }
+
+    TEST(GeneratedWorlds, ThatAreKnownToBeWorthNothingAreRefused)
+    {
+        EXPECT_EQ(refusalOf("random_boxes_2d_7"),
+                  "--generated 'random_boxes_2d_7': there is no path from start to goal; "
+                  "the next seed that will do is 9");
+        EXPECT_EQ(gridOptimum(boxWorld("random_boxes", 2, 7).make()), std::numeric_limits<double>::infinity());
+        EXPECT_EQ(refusalOf("random_boxes_2d_9"), "");
+        EXPECT_EQ(refusalOf("circles_narrow_2d_4"),
+                  "--generated 'circles_narrow_2d_4': the shortest path squeezes "
+                  "through no narrow gap; the next seed that will do is 7");
+    }
+
+    TEST(GeneratedWorlds, NamesOfNoWorldAreRefused)
+    {
+        for (const char *name : {"", "random_boxes", "random_boxes_8d", "random_boxes_8_101", "random_boxes_3d_1",
+                                 "random_boxes_8d_0", "random_boxes_8d_01", "random_boxes_8d_4294967296",
+                                 "random_boxes_8d_1 ", "random_boxes_99999999999d_1", "wall_gap_17d_1", "wall_gap_1d_1",
+                                 "arm_7d_1", "arm_1_1", "circles_narrow_4d_3", "own_rooms", "no_such_2d_1"})
+        {
+            EXPECT_NE(refusalOf(name).find(std::string("--generated '") + name + "'"), std::string::npos) << name;
+        }
+        EXPECT_NE(refusalOf("random_boxes_3d_1").find("2, 4, 8, 16"), std::string::npos);
+        EXPECT_EQ(refusalOf("random_boxes_8d_4294967295"), "");
+    }
+
+    TEST(GeneratedWorlds, AreRunAloneUnlessThereIsAPattern)
+    {
+        using Names = std::vector<std::string>;
+        const Names generated{"arm_7_5", "wall_gap_2d_1", "arm_7_5"};
+        EXPECT_EQ(namesOf(selectWorlds("", generated)), (Names{"arm_7_5", "wall_gap_2d_1"}));
+        EXPECT_EQ(namesOf(selectWorlds("^wall_gap_[24]", generated)),
+                  (Names{"arm_7_5", "wall_gap_2d_1", "wall_gap_4d_1"}));
+        EXPECT_EQ(namesOf(selectWorlds("^arm", {})), (Names{"arm_7_1", "arm_12_1"}));
+        EXPECT_EQ(selectWorlds("", {}).size(), allWorlds().size());
+    }
+
+    TEST(GeneratedWorlds, AreReportedWithTheOthers)
+    {
+        using Names = std::vector<std::string>;
+        const Names suite = namesOf(allWorlds());
+        EXPECT_FALSE(std::regex_search("arm_7_55", std::regex(namePattern("", {"arm_7_5"}))));
+        for (const std::string pattern : {"", "^wall_gap_[24]", "arm|boxes"})
+        {
+            for (const Names &generated : {Names{}, Names{"arm_7_5"}, Names{"arm_7_5", "wall_gap_2d_9"}})
+            {
+                const Names selected = namesOf(selectWorlds(pattern, generated));
+                const std::regex expression(namePattern(pattern, generated));
+                for (const std::string &name : suite)
+                {
+                    const bool isSelected = std::find(selected.begin(), selected.end(), name) != selected.end();
+                    EXPECT_EQ(std::regex_search(name, expression), isSelected) << name;
+                }
+                for (const std::string &name : generated)
+                {
+                    EXPECT_TRUE(std::regex_search(name, expression)) << name;
+                }
+            }
+        }
     }
 
     TEST(WorldList, NamesThatMatchNothingAreRefused)

@@ -141,6 +141,15 @@ class Files(unittest.TestCase):
         self.assertEqual(rows[0]["1pct_over_floor"], "200")
         self.assertIn("| mfa | 3/3 |", text.read_text())
 
+    def test_best_costs_of_further_worlds(self):
+        runs, optima, table = self.path / "runs.jsonl", self.path / "optima.jsonl", self.path / "anytime.csv"
+        runs.write_text(json.dumps(record("mfa", 1, [(0.1, 1.0)], 1.0)) + "\n")
+        optima.write_text(json.dumps({"world": "w", "cost": 0.8, "source": "exact", "path": []}) + "\n")
+        for references, excess in ([], 0.0), (["--references", optima], 25.0):
+            subprocess.run(["/usr/bin/python3", ANYTIME / "report.py", runs, *references, "--csv", table],
+                           check=True, stdout=subprocess.DEVNULL)
+            self.assertAlmostEqual(float(results.read_records(table)[0]["final_pct"]), excess)
+
 
 BEST = {"w": {"cost": 1.0, "path": []}}
 
