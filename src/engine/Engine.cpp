@@ -251,13 +251,13 @@ namespace ompl_mfa::engine
         {
             context_.query.addGoal(findings.goals[i]);
         }
+        for (const Proposal &draft : findings.drafts)
+        {
+            context_.pool.add(draft.path, draft.cost->value(), false, context_.incumbent.cost());
+        }
         for (Proposal &proposal : findings.paths)
         {
             consider(std::move(proposal));
-        }
-        for (const Detour &detour : findings.detours)
-        {
-            consider(detour);
         }
     }
 
@@ -277,33 +277,24 @@ namespace ompl_mfa::engine
             }
             ++context_.progress.evaluations;
         }
-        offer(proposal);
-        if (proposal.stage != Proposal::Stage::Raw || parts_.refiner == nullptr)
+        if (!proposal.draft)
+        {
+            offer(proposal);
+        }
+        if (context_.objective().isSatisfied(ob::Cost(incumbent.cost())))
         {
             return;
         }
-        proposal.path = parts_.refiner->refine(proposal.path, *proposal.cost, ob::Cost(incumbent.bound()));
-        proposal.stage = Proposal::Stage::Tight;
-        const double slack = evaluator.withSlack(incumbent.cost(), Alternatives::SLACK);
-        if (!offer(proposal) && !context_.objective().isCostBetterThan(ob::Cost(slack), *proposal.cost))
+        if (parts_.refiner == nullptr || (proposal.stage != Proposal::Stage::Raw && !proposal.draft))
         {
-            context_.alternatives.add(proposal.path);
+            return;
         }
-    }
-
-    void Engine::consider(const Detour &detour)
-    {
-        ob::Cost cost = detour.cost;
-        const path::Waypoints *segment = &detour.segment;
-        if (parts_.refiner != nullptr)
+        proposal = parts_.refiner->refine(std::move(proposal), ob::Cost(incumbent.bound()));
+        if (!proposal.draft)
         {
-            segment = &parts_.refiner->refine(detour.segment, cost, detour.rival);
+            offer(proposal);
         }
-        if (context_.objective().isCostBetterThan(cost, detour.rival))
-        {
-            consider(Proposal{replaceSegment(detour.path, detour.first, detour.last, *segment), std::nullopt,
-                              Proposal::Stage::Raw, detour.origin});
-        }
+        context_.pool.add(proposal.path, proposal.cost->value(), !proposal.draft, incumbent.cost());
     }
 
     bool Engine::offer(const Proposal &proposal)
@@ -323,6 +314,8 @@ namespace ompl_mfa::engine
         {
             part->improved(proposal);
         }
+        context_.pool.prune(incumbent.cost());
+        context_.pool.add(incumbent.path(), incumbent.cost(), true, incumbent.cost());
         if (improving_)
         {
             credit(proposal.origin,

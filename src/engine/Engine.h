@@ -101,7 +101,6 @@ namespace ompl_mfa::engine
         void takeTurn(std::size_t number);
         void consider(Findings &findings);
         void consider(Proposal proposal);
-        void consider(const Detour &detour);
         bool offer(const Proposal &proposal);
         void credit(std::optional<PartKind> origin, double gain);
         void updatePhase();

@@ -72,6 +72,7 @@ namespace ompl_mfa::engine
         {
             fireflies::Swarms::Options options;
             options.guided = list.guided;
+            options.pool = context.settings.tightening;
             options.fireflies = fireflySettings(context.settings, POPULATION);
             list.swarms = std::make_shared<fireflies::Swarms>(context, options);
             list.parts.push_back(std::make_unique<fireflies::FireflyPart>(context, list.swarms));
@@ -85,7 +86,7 @@ namespace ompl_mfa::engine
         {
             fireflies::Swarms::Options options;
             options.coordinates = fireflies::Swarm::Coordinates::Offsets;
-            options.windows = options.bounded = false;
+            options.pool = options.bounded = false;
             options.fireflies = fireflySettings(context.settings, PAPER_POPULATION);
             PartList list;
             list.swarms = std::make_shared<fireflies::Swarms>(context, options);

@@ -36,22 +36,44 @@
 
 #include "engine/SearchContext.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ompl_mfa::engine
 {
+    namespace
+    {
+        /* Fireflies of the swarm of whole paths, unless the user sets the population's size. */
+        constexpr std::size_t POOL_CAPACITY = 8;
+        /* Greatest stride of a draft, and the least number of states at which it checks the best path. */
+        constexpr std::uint64_t MAX_STRIDE = 8;
+        constexpr std::uint64_t LEAST_STATES = 48;
+    }  // namespace
+
     SearchContext::SearchContext(const ompl::base::Planner &planner, path::StateChartPtr stateChart,
                                  const ompl::base::OptimizationObjectivePtr &objective, SearchSettings frozen,
                                  std::uint64_t runSeed, SearchProgress &shown)
-      : owner(planner)
+      : evaluator_(std::make_unique<path::PathEvaluator>(planner.getSpaceInformation(), objective, frozen.threads))
+      , owner(planner)
       , chart(std::move(stateChart))
       , settings(std::move(frozen))
       , seed(runSeed)
       , progress(shown)
       , query(planner.getSpaceInformation()->getStateSpace())
       , incumbent(objective, planner.getSpaceInformation()->getStateSpace(), shown.bestCost)
-      , evaluator_(std::make_unique<path::PathEvaluator>(planner.getSpaceInformation(), objective, settings.threads))
+      , pool(settings.populationSize != 0 ? settings.populationSize : POOL_CAPACITY, chart, *evaluator_)
     {
         query.ask(*planner.getProblemDefinition());
+    }
+
+    unsigned int SearchContext::draftStride() const
+    {
+        if (!incumbent.hasFinitePath())
+        {
+            return 1;
+        }
+        const path::StrideScope full(*evaluator_, 1);
+        const std::uint64_t stride = evaluator_->checkWork(incumbent.path()) / LEAST_STATES;
+        return static_cast<unsigned int>(std::clamp<std::uint64_t>(stride, 1, MAX_STRIDE));
     }
 }  // namespace ompl_mfa::engine

@@ -42,8 +42,8 @@
 
 #include <ompl/base/Planner.h>
 
-#include "engine/Alternatives.h"
 #include "engine/Incumbent.h"
+#include "engine/PathPool.h"
 #include "engine/Query.h"
 #include "engine/SearchProgress.h"
 #include "engine/SearchSettings.h"
@@ -56,6 +56,9 @@ namespace ompl_mfa::engine
     /** \brief The data that all parts of a search share: they read it, and only the engine changes it. */
     class SearchContext
     {
+    private:
+        std::unique_ptr<path::PathEvaluator> evaluator_;  // first, as others refer to it
+
     public:
         /** \brief \e planner is used to choose the nearest-neighbour structure for the space. \e runSeed != 0 is the
             seed of the run. \e planner and \e shown must outlive the context. */
@@ -68,6 +71,10 @@ namespace ompl_mfa::engine
         {
             return !query.starts().empty() && !query.goals().empty();
         }
+
+        /** \brief The stride of drafts (see PathEvaluator::setStride), by which a check of the best path still has a
+           few dozen states; 1 before there is a path of finite cost. */
+        unsigned int draftStride() const;
 
         const ompl::base::SpaceInformationPtr &spaceInformation() const
         {
@@ -92,10 +99,7 @@ namespace ompl_mfa::engine
         SearchProgress &progress;
         Query query;
         Incumbent incumbent;
-        Alternatives alternatives;
-
-    private:
-        std::unique_ptr<path::PathEvaluator> evaluator_;
+        PathPool pool;
     };
 }  // namespace ompl_mfa::engine
 

@@ -49,25 +49,6 @@ namespace ompl_mfa::engine
         constexpr double MOST_ROADMAP = 1.5;
     }  // namespace
 
-    path::Waypoints replaceSegment(const path::Waypoints &path, std::size_t first, std::size_t last,
-                                   const path::Waypoints &segment)
-    {
-        path::Waypoints whole(path.space());
-        for (std::size_t i = 0; i < first; ++i)
-        {
-            whole.append(path[i]);
-        }
-        for (std::size_t i = 0; i < segment.size(); ++i)
-        {
-            whole.append(segment[i]);
-        }
-        for (std::size_t i = last + 1; i < path.size(); ++i)
-        {
-            whole.append(path[i]);
-        }
-        return whole;
-    }
-
     SearchPart::SearchPart(PartKind kind, const SearchContext &context)
       : kind_(kind)
       , context_(context)
@@ -84,7 +65,7 @@ namespace ompl_mfa::engine
 
     void SearchPart::propose(path::Waypoints path, Findings &findings) const
     {
-        findings.paths.push_back({std::move(path), std::nullopt, Proposal::Stage::Raw, kind_});
+        findings.paths.push_back({std::move(path), std::nullopt, Proposal::Stage::Raw, kind_, false});
     }
 
     double roadmapFactor(const path::StateChart &chart)

@@ -49,7 +49,7 @@
 
 namespace ompl_mfa::engine
 {
-    /** \brief A valid path from a start to a goal that a part of the search hands to the engine. */
+    /** \brief A path from a start to a goal that a part of the search hands to the engine. */
     struct Proposal
     {
         enum class Stage : unsigned char
@@ -63,23 +63,7 @@ namespace ompl_mfa::engine
         std::optional<ompl::base::Cost> cost;  ///< cost of path; computed by the engine if not given
         Stage stage{Stage::Raw};
         std::optional<PartKind> origin;  ///< the part that found the path; none for a straight motion
-    };
-
-    /** \brief \e path with \e segment in place of its vertices from \e first to \e last. */
-    path::Waypoints replaceSegment(const path::Waypoints &path, std::size_t first, std::size_t last,
-                                   const path::Waypoints &segment);
-
-    /** \brief A valid replacement for a segment of a path; after tightening its cost is compared with that
-        segment's. */
-    struct Detour
-    {
-        path::Waypoints segment;
-        ompl::base::Cost cost;   ///< of segment
-        ompl::base::Cost rival;  ///< cost of the segment that it may replace
-        path::Waypoints path;
-        std::size_t first;  ///< first vertex of the replaced segment in the path
-        std::size_t last;   ///< its last vertex
-        PartKind origin;
+        bool draft{false};  ///< whether it was only checked at a coarse resolution and may be invalid: needs repair
     };
 
     /** \brief The results of one turn of a part. */
@@ -91,8 +75,8 @@ namespace ompl_mfa::engine
         }
 
         std::vector<Proposal> paths;
-        std::vector<Detour> detours;
-        path::Waypoints goals;  ///< new states that satisfy the goal
+        std::vector<Proposal> drafts;  ///< of known cost, for the pool only
+        path::Waypoints goals;         ///< new states that satisfy the goal
     };
 
     /** \brief A part's claim to computing time, relative to the other parts'. */
@@ -165,10 +149,11 @@ namespace ompl_mfa::engine
     public:
         virtual ~PathRefiner() = default;
 
-        /** \brief Tightens \e path of cost \e cost until it is better than \e rival, or until the recent gains no
-            longer promise that it will be. The result is valid until the next call. */
-        virtual const path::Waypoints &refine(const path::Waypoints &path, ompl::base::Cost &cost,
-                                              ompl::base::Cost rival) = 0;
+        /** \brief Tightens the path of \e proposal, whose cost is known, until it is better than \e rival, or until the
+            recent gains no longer promise that it will be; if it is the best path already, for as long as it pays. A
+            draft that promises to be better is repaired. The result is tight; it is a draft if it promised too little
+            to be repaired, or could not be. */
+        virtual Proposal refine(Proposal proposal, ompl::base::Cost rival) = 0;
     };
 
     /** \brief Factor for a roadmap's share of the time by the dimension of the space, 1 in three dimensions: n states

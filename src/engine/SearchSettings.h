@@ -47,6 +47,7 @@ namespace ompl_mfa::engine
     {
         std::string variant{"mfa"};
         bool fireflies{true};
+        std::string fireflyMoves{"both"};
         unsigned int populationSize{0};
         unsigned int slices{12};
         unsigned int generations{50};

@@ -48,15 +48,19 @@ namespace ompl_mfa::engine
     enum class Stream : std::uint64_t
     {
         // of a run
-        Trees,          ///< TreePart
-        Roadmap,        ///< RoadmapPart
-        Tightening,     ///< PathTightening of the best path
-        NewTightening,  ///< PathTightening of new paths
-        Windows,        ///< choice of windows
-        WindowSwarm,    ///< the swarm of the window with this index
-        Swarm,          ///< the swarm on the straight axis with this index
-        Detours,        ///< the detour with this index, for testing the objective's bounds
-        GoalSearch,     ///< the search for states that satisfy a goal
+        Trees,            ///< TreePart
+        Roadmap,          ///< RoadmapPart
+        Tightening,       ///< PathTightening of the best path
+        NewTightening,    ///< PathTightening of new paths
+        DraftTightening,  ///< PathTightening of drafts of new paths
+        BestDraft,        ///< PathTightening of a draft of the best path
+        Repair,           ///< PathRepair
+        PathSwarm,        ///< PathSwarm
+        SwarmTightening,  ///< PathTightening in PathSwarm
+        LocalTrees,       ///< LocalTrees of PathSwarm
+        Swarm,            ///< the swarm on the straight axis with this index
+        Detours,          ///< the detour with this index, for testing the objective's bounds
+        GoalSearch,       ///< the search for states that satisfy a goal
 
         // of a swarm, or of a search for goals
         Epoch,         ///< the fireflies of the epoch with this index

@@ -170,8 +170,45 @@ namespace ompl_mfa::path
         {
             return false;
         }
+        if (stride_ > 1)
+        {
+            return checkDraft({from, to});
+        }
         const bool valid = parallel_ ? parallel_->checkMotion({from, to}) : si_->checkMotion(from, to);
         checks_ += motionWork(*si_, {from, to}, valid);
+        return valid;
+    }
+
+    unsigned int PathEvaluator::checkedSegments(const ob::State *from, const ob::State *to) const
+    {
+        return std::max(1U, guard_.validSegmentCount(from, to) / stride_);
+    }
+
+    std::uint64_t PathEvaluator::checkWork(const Waypoints &path) const
+    {
+        std::uint64_t work = path.size();
+        for (std::size_t i = 1; i < path.size(); ++i)
+        {
+            work += checkedSegments(path[i - 1], path[i]);
+        }
+        return work;
+    }
+
+    /* The end first, then the states inside in bisection order. */
+    bool PathEvaluator::checkDraft(const Motion &motion)
+    {
+        if (!checkState(motion.to))
+        {
+            return false;
+        }
+        const unsigned int most = checkedSegments(motion.from, motion.to);
+        unsigned int count = 1;
+        while (3 * count <= 2 * most)
+        {
+            count *= 2;
+        }
+        const bool valid = parallel_ ? parallel_->checkInside(motion, count) : checkInside(motion, count);
+        checks_ += bisectionWork(count - 1, valid);
         return valid;
     }
 
@@ -219,7 +256,7 @@ namespace ompl_mfa::path
        work nor acted upon until they are asked for here. */
     bool PathEvaluator::checkNext(std::size_t i)
     {
-        if (!parallel_)
+        if (!parallel_ || stride_ > 1)
         {
             return checkMotion(motions_[i].from, motions_[i].to);
         }
@@ -277,10 +314,26 @@ namespace ompl_mfa::path
         return checkMotions(motions) && checkBetween(motions);
     }
 
+    bool PathEvaluator::checkStrictly(const Waypoints &path)
+    {
+        if (!checkPath(path))
+        {
+            return false;
+        }
+        for (std::size_t i = 1; stride_ == 1 && i < path.size(); ++i)
+        {
+            if (!checkBetween({path[i - 1], path[i]}))
+            {
+                return false;
+            }
+        }
+        return true;
+    }
+
     bool PathEvaluator::checkBetween(std::initializer_list<Motion> motions)
     {
-        return std::all_of(motions.begin(), motions.end(),
-                           [this](const Motion &motion) { return checkBetween(motion); });
+        return stride_ > 1 || std::all_of(motions.begin(), motions.end(),
+                                          [this](const Motion &motion) { return checkBetween(motion); });
     }
 
     bool PathEvaluator::checkBetween(const Motion &motion)

@@ -125,6 +125,25 @@ namespace ompl_mfa::path
         /** \brief Whether \e state is within the bounds and valid. */
         bool checkState(const ompl::base::State *state);
 
+        /** \brief From now on motions are checked at one state in \e stride (at least 1) of OMPL's resolution, by the
+            state validity checker and without the additional checks of checkStrictly. With a stride above 1 this is a
+            draft: a valid motion passes it, and so do some invalid ones. */
+        void setStride(unsigned int stride)
+        {
+            stride_ = stride;
+        }
+
+        unsigned int stride() const
+        {
+            return stride_;
+        }
+
+        /** \brief Number of segments between the states at which checkMotion checks the motion; at least 1. */
+        unsigned int checkedSegments(const ompl::base::State *from, const ompl::base::State *to) const;
+
+        /** \brief The work of checking all motions of \e path, if they are valid. */
+        std::uint64_t checkWork(const Waypoints &path) const;
+
         /** \brief Whether the motion is valid; \e from is assumed to be valid. */
         bool checkMotion(const ompl::base::State *from, const ompl::base::State *to);
 
@@ -141,6 +160,9 @@ namespace ompl_mfa::path
         /** \brief Whether all \e motions are valid at twice the resolution, too. A path that passes between obstacles
            only at one resolution may become invalid when interpolated differently, as by OMPL's path simplifier. */
         bool checkStrictly(std::initializer_list<Motion> motions);
+
+        /** \brief The same for all motions of \e path. */
+        bool checkStrictly(const Waypoints &path);
 
         /** \brief The additional checks of checkStrictly: the states halfway between those of checkMotions. */
         bool checkBetween(std::initializer_list<Motion> motions);
@@ -229,6 +251,7 @@ namespace ompl_mfa::path
         bool checkAll();
         bool checkBetween(const Motion &motion);
         bool checkInside(const Motion &motion, unsigned int count);
+        bool checkDraft(const Motion &motion);
         void reportPartialPath(const Waypoints &path, std::size_t motion);
         bool addInvalidLengths(const Waypoints &path, std::size_t first, unsigned int stride, const Brightness *rival,
                                Brightness &result);
@@ -252,7 +275,33 @@ namespace ompl_mfa::path
         std::uint64_t distances_{0};
         std::uint64_t costs_{0};  ///< motion costs computed since the stop condition was evaluated
         std::size_t lastInvalid_{0};
+        unsigned int stride_{1};
         bool interrupted_{false};
+    };
+
+    /** \brief Sets an evaluator's stride during its lifetime. */
+    class StrideScope
+    {
+    public:
+        /** \brief \e evaluator must outlive the object. */
+        StrideScope(PathEvaluator &evaluator, unsigned int stride)
+          : evaluator_(evaluator)
+          , before_(evaluator.stride())
+        {
+            evaluator_.setStride(stride);
+        }
+
+        ~StrideScope()
+        {
+            evaluator_.setStride(before_);
+        }
+
+        StrideScope(const StrideScope &) = delete;
+        StrideScope &operator=(const StrideScope &) = delete;
+
+    private:
+        PathEvaluator &evaluator_;
+        unsigned int before_;
     };
 }  // namespace ompl_mfa::path
 

@@ -61,13 +61,15 @@ namespace ompl_mfa::planner
                    {},
                    "whether the firefly algorithm is used; without it and without recombination only the guides and "
                    "tightening search"},
+            Word{"firefly_moves", &engine::SearchSettings::fireflyMoves, Words({"both", "equations", "detours"}),
+                 "how fireflies move once there is a path: by the equations, by random detours, or both in turn"},
             // one range for both variants; trial vectors need four fireflies
             Whole{"population_size", &engine::SearchSettings::populationSize, Numbers(4, 1, 10000, 0),
-                  "size of the swarm; 0: 100 in paper mode, else 20"},
+                  "size of the swarm; 0: 100 in paper mode, else 20 before there is a path and 8 from then on"},
             Whole{"slices", &engine::SearchSettings::slices, Numbers(1, 1, 1000),
-                  "slices across the axis from start to goal, m - 1 in the paper; half as many in a window"},
+                  "slices across the axis from start to goal, m - 1 in the paper; used until there is a path"},
             Whole{"generations", &engine::SearchSettings::generations, Numbers(1, 1, 100000),
-                  "length of an epoch, over which the random step and the attraction shrink; at most 15 in a window"},
+                  "length of an epoch, over which the random step and the attraction shrink"},
             Real{"gamma", &engine::SearchSettings::gamma, Reals(0.0, 0.01, 100.0),
                  "light absorption: how fast the attraction decreases with the distance of two fireflies, measured in "
                  "ranges of their coordinates"},

@@ -75,6 +75,16 @@ namespace ompl_mfa
         return implementation_->settings.fireflies;
     }
 
+    void MFA::setFireflyMoves(const std::string &moves)
+    {
+        implementation_->set(*this, &engine::SearchSettings::fireflyMoves, moves);
+    }
+
+    std::string MFA::getFireflyMoves() const
+    {
+        return implementation_->settings.fireflyMoves;
+    }
+
     void MFA::setPopulationSize(unsigned int size)
     {
         implementation_->set(*this, &engine::SearchSettings::populationSize, size);

@@ -46,6 +46,7 @@
 #include <gtest/gtest.h>
 
 #include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/objectives/StateCostIntegralObjective.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Exception.h>
 
@@ -213,15 +214,21 @@ namespace ompl_mfa::engine
         TEST_F(EngineTest, SharesAreThoseOfTheWholeWork)
         {
             settings_.recombination = true;
-            Search search(*problem_, settings_, guest);
-            EXPECT_EQ(search.shares(), std::vector<double>(PART_NAMES.size(), 0.0));
-            search.runFor(60000);
-            const std::vector<double> shares = search.shares();
-            EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1.0, 1e-9);
-            for (std::size_t i = 0; i < shares.size(); ++i)
+            for (const bool closed : {false, true})
             {
-                const bool works = PartKind(i) != PartKind::GoalSearch;
-                EXPECT_EQ(shares[i] > 0.0, works) << PART_NAMES[i];
+                problem_ = closed ? test::closedProblem() : test::wallProblem();
+                Search search(*problem_, settings_, guest);
+                EXPECT_EQ(search.shares(), std::vector<double>(PART_NAMES.size(), 0.0));
+                search.runFor(60000);
+                const std::vector<double> shares = search.shares();
+                EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1.0, 1e-9);
+                for (std::size_t i = 0; i < shares.size(); ++i)
+                {
+                    // fireflies are recombined before there is a path, and paths are tightened after that
+                    const bool works = PartKind(i) != PartKind::GoalSearch &&
+                                       PartKind(i) != (closed ? PartKind::Tightening : PartKind::Recombination);
+                    EXPECT_EQ(shares[i] > 0.0, works) << PART_NAMES[i] << ", closed: " << closed;
+                }
             }
         }
 
@@ -234,6 +241,42 @@ namespace ompl_mfa::engine
             EXPECT_EQ(search.incumbent().origin(), std::nullopt);
             EXPECT_EQ(search.progress.time(), 0.0) << "no part had a turn";
             EXPECT_GE(search.published, 2U) << "at the beginning and with the path";
+        }
+
+        /* Length, and 20 times that in the band 4 < x < 6 below y = 4. */
+        class Mud : public ob::StateCostIntegralObjective
+        {
+        public:
+            explicit Mud(const ob::SpaceInformationPtr &si)
+              : StateCostIntegralObjective(si, true)
+            {
+            }
+
+            ob::Cost stateCost(const ob::State *state) const override
+            {
+                const bool inside =
+                    std::abs(test::coordinate(state, 0) - 5.0) < 1.0 && test::coordinate(state, 1) < 4.0;
+                return ob::Cost(inside ? 20.0 : 1.0);
+            }
+        };
+
+        TEST_F(EngineTest, AStraightMotionThatIsNotTheBestDoesNotEndIt)
+        {
+            problem_ = test::freeProblem();
+            problem_->pdef->setOptimizationObjective(std::make_shared<Mud>(problem_->si));
+            for (const char *guide : {"none", "both"})
+            {
+                Search search(*problem_, settingsOf(true, guide, true));
+                bool straight = false;
+                search.run(
+                    [&]
+                    {
+                        straight = straight || search.incumbent().path().size() == 2;
+                        return search.progress.evaluations > 5000 || search.incumbent().cost() < 12.0;
+                    });
+                EXPECT_TRUE(straight);
+                EXPECT_LT(search.incumbent().cost(), 12.0) << "guide = " << guide;
+            }
         }
 
         TEST_F(EngineTest, APathThatSatisfiesTheObjectiveEndsTheSearch)

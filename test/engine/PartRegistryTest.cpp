@@ -113,7 +113,7 @@ namespace ompl_mfa::engine
             EXPECT_NE(list.refiner, nullptr);
             ASSERT_NE(list.swarms, nullptr);
             EXPECT_EQ(list.swarms->options().coordinates, fireflies::Swarm::Coordinates::Modes);
-            EXPECT_TRUE(list.swarms->options().windows);
+            EXPECT_TRUE(list.swarms->options().pool);
             EXPECT_TRUE(list.swarms->options().bounded);
             EXPECT_EQ(list.swarms->options().fireflies.populationSize, 20U);
         }
@@ -128,7 +128,7 @@ namespace ompl_mfa::engine
             ASSERT_NE(list.swarms, nullptr);
             const fireflies::Swarms::Options &options = list.swarms->options();
             EXPECT_EQ(options.coordinates, fireflies::Swarm::Coordinates::Offsets);
-            EXPECT_FALSE(options.windows);
+            EXPECT_FALSE(options.pool);
             EXPECT_FALSE(options.bounded);
             EXPECT_EQ(options.fireflies.variant, FireflyOptimizer::Variant::MFA);
             EXPECT_EQ(options.fireflies.populationSize, 100U);

@@ -36,6 +36,7 @@
 
 #include "engine/Streams.h"
 
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -54,9 +55,10 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        constexpr Stream STREAMS[] = {Stream::Trees,         Stream::Roadmap, Stream::Tightening,
-                                      Stream::NewTightening, Stream::Windows, Stream::WindowSwarm,
-                                      Stream::Swarm,         Stream::Detours, Stream::GoalSearch};
+        constexpr Stream STREAMS[] = {
+            Stream::Trees,     Stream::Roadmap, Stream::Tightening, Stream::NewTightening,   Stream::DraftTightening,
+            Stream::BestDraft, Stream::Repair,  Stream::PathSwarm,  Stream::SwarmTightening, Stream::LocalTrees,
+            Stream::Swarm,     Stream::Detours, Stream::GoalSearch};
 
         std::string name(std::uint64_t run, Stream stream, std::uint64_t index)
         {
@@ -91,7 +93,7 @@ namespace ompl_mfa::engine
                     }
                 }
             }
-            EXPECT_EQ(first.size(), 4U * 9U * 30U * 6U);
+            EXPECT_EQ(first.size(), 4U * std::size(STREAMS) * 30U * 6U);
         }
 
         using Point = std::pair<double, double>;

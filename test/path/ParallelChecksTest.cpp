@@ -90,10 +90,13 @@ namespace ompl_mfa::path
             std::uint64_t asked{0};
         };
 
-        /* Checks 60 random paths, with rivals and without, until the stop condition ends it. */
-        Answers answers(const ob::SpaceInformationPtr &si, unsigned int threads, std::uint64_t stopAfter)
+        /* Checks 60 random paths, with rivals and without, until the stop condition ends it; as drafts with a \e stride
+           above 1. */
+        Answers answers(const ob::SpaceInformationPtr &si, unsigned int threads, std::uint64_t stopAfter,
+                        unsigned int stride = 1)
         {
             PathEvaluator evaluator(si, std::make_shared<ob::PathLengthOptimizationObjective>(si), threads);
+            evaluator.setStride(stride);
             Answers result;
             evaluator.setStopCondition([&] { return ++result.asked > stopAfter; });
             ompl::RNG rng(42);
@@ -134,6 +137,25 @@ namespace ompl_mfa::path
                 }
             }
             EXPECT_LE(problem_.mostInside, 5U);
+        }
+
+        TEST_P(ParallelChecksTest, AnswersAndWorkOfDraftsAreThoseOfOneThread)
+        {
+            const Answers full = answers(problem_.si, 1, 100000);
+            for (const unsigned int stride : {2U, 5U})
+            {
+                for (const std::uint64_t stopAfter : {100000U, 57U})
+                {
+                    const Answers one = answers(problem_.si, 1, stopAfter, stride);
+                    EXPECT_NE(one.values, full.values);
+                    for (const unsigned int threads : {2U, 4U})
+                    {
+                        const Answers several = answers(problem_.si, threads, stopAfter, stride);
+                        EXPECT_EQ(several.values, one.values) << threads << " threads, stopped after " << stopAfter;
+                        EXPECT_EQ(several.asked, one.asked) << threads << " threads, stopped after " << stopAfter;
+                    }
+                }
+            }
         }
 
         TEST_P(ParallelChecksTest, OneThreadIsNeverJoinedByAnother)

@@ -36,6 +36,7 @@
 
 #include "path/PathEvaluator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -305,6 +306,222 @@ namespace ompl_mfa::path
             back.reverse();
             EXPECT_NEAR(evaluator.cost(there).value(), 4.0, 1e-9);
             EXPECT_GT(evaluator.cost(back).value(), 4.0 + 3.14);
+        }
+
+        /* The plane [-10, 10]^2 with a disc of radius 2 in its middle and a wall 5.1 < x < 5.2, thicker than the
+           distance between two states of a motion and much thinner than that of a draft. */
+        class DraftTest : public ::testing::Test
+        {
+        protected:
+            DraftTest()
+            {
+                problem_.si->setStateValidityCheckingResolution(0.001);
+                problem_.si->setup();
+            }
+
+            Waypoints path(const Points &points) const
+            {
+                return test::planarPath(space_, points);
+            }
+
+            static bool outside(const ob::State *state)
+            {
+                const double x = coordinate(state, 0);
+                return std::hypot(x, coordinate(state, 1)) > 2.0 && (x < 5.1 || x > 5.2);
+            }
+
+            static constexpr unsigned int STRIDE = 8;
+
+            ob::StateSpacePtr space_ = test::realVectorSpace(2);
+            test::CountingProblem problem_{space_, outside};
+            PathEvaluator evaluator_{problem_.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem_.si)};
+            Waypoints through_ = path({{0, 4}, {9, 4}});
+            Waypoints aside_ = path({{-9, 4}, {0, 4}, {4, 3}});
+        };
+
+        TEST_F(DraftTest, AThinObstaclePassesADraftAndFailsInFull)
+        {
+            EXPECT_FALSE(evaluator_.checkMotion(through_[0], through_[1]));
+            evaluator_.setStride(STRIDE);
+            EXPECT_TRUE(evaluator_.checkMotion(through_[0], through_[1]));
+            EXPECT_TRUE(evaluator_.checkPath(through_));
+            EXPECT_TRUE(evaluator_.checkMotions({{through_[0], through_[1]}}));
+            EXPECT_TRUE(evaluator_.checkStrictly({{through_[0], through_[1]}}));
+            EXPECT_TRUE(evaluator_.evaluate(through_, nullptr).isFeasible());
+            evaluator_.setStride(1);
+            EXPECT_FALSE(evaluator_.checkPath(through_));
+        }
+
+        TEST_F(DraftTest, AThickObstacleFailsADraft)
+        {
+            evaluator_.setStride(STRIDE);
+            const Waypoints across = path({{-9, 1}, {4, 1}});
+            EXPECT_FALSE(evaluator_.checkMotion(across[0], across[1]));
+            EXPECT_FALSE(evaluator_.checkPath(path({{-9, 4}, {-9, 1}, {4, 1}})));
+            EXPECT_FALSE(evaluator_.evaluate(across, nullptr).isFeasible());
+        }
+
+        TEST_F(DraftTest, AnInvalidEndFailsADraft)
+        {
+            evaluator_.setStride(1000);
+            const Waypoints ends = path({{-9, 4}, {5.15, 4}, {20, 4}});
+            EXPECT_FALSE(evaluator_.checkMotion(ends[0], ends[1]));
+            EXPECT_FALSE(evaluator_.checkMotion(ends[0], ends[2])) << "out of bounds";
+        }
+
+        TEST_F(DraftTest, ValidMotionsPassADraft)
+        {
+            const auto sampler = space_->allocStateSampler();
+            Waypoints motion = path({{0, 4}, {0, 4}});
+            unsigned int valid = 0;
+            unsigned int found = 0;
+            unsigned int invalid = 0;
+            for (int i = 0; i < 2000; ++i)
+            {
+                sampler->sampleUniform(motion[0]);
+                sampler->sampleUniform(motion[1]);
+                if (!outside(motion[0]))
+                {
+                    continue;
+                }
+                // all states of the segment are valid, not only those that are checked
+                const double x = coordinate(motion[0], 0);
+                const double y = coordinate(motion[0], 1);
+                const double dx = coordinate(motion[1], 0) - x;
+                const double dy = coordinate(motion[1], 1) - y;
+                const double t = std::clamp(-(x * dx + y * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+                const bool isValid =
+                    std::hypot(x + t * dx, y + t * dy) > 2.0 && outside(motion[1]) && (x < 5.15) == (x + dx < 5.15);
+                for (const unsigned int stride : {2U, 3U, STRIDE})
+                {
+                    evaluator_.setStride(stride);
+                    const bool passes = evaluator_.checkMotion(motion[0], motion[1]);
+                    EXPECT_TRUE(passes || !isValid) << "motion " << i << ", stride " << stride;
+                    found += !passes && !isValid ? 1 : 0;
+                }
+                ++(isValid ? valid : invalid);
+            }
+            EXPECT_GT(valid, 500U);
+            EXPECT_GT(invalid, 500U);
+            EXPECT_GT(found, 2 * invalid) << "of three drafts of each invalid motion";
+        }
+
+        TEST_F(DraftTest, ChecksOneStateInSoManyAndCountsIt)
+        {
+            evaluator_.checkPath(aside_);
+            const auto full = problem_.states.load();
+            for (const unsigned int stride : {2U, 3U, 5U, STRIDE})
+            {
+                evaluator_.setStride(stride);
+                problem_.forget();
+                const auto before = evaluator_.work();
+                EXPECT_TRUE(evaluator_.checkPath(aside_));
+                const auto states = static_cast<double>(problem_.states);
+                EXPECT_EQ(evaluator_.work() - before, problem_.states);
+                EXPECT_EQ(problem_.motions, 0U) << "the motion validator checks all states";
+                // powers of two
+                EXPECT_LT(states, 1.4 * static_cast<double>(full) / stride + 2.0);
+                EXPECT_GT(states, 0.6 * static_cast<double>(full) / stride);
+                EXPECT_NEAR(static_cast<double>(evaluator_.checkWork(aside_)), states, 0.5 * states);
+            }
+        }
+
+        TEST_F(DraftTest, AnInvalidDraftCountsNoMoreThanAValidOne)
+        {
+            evaluator_.setStride(STRIDE);
+            const Waypoints across = path({{-9, 1}, {4, 1}});
+            const auto before = evaluator_.work();
+            EXPECT_FALSE(evaluator_.checkMotion(across[0], across[1]));
+            EXPECT_GT(evaluator_.work(), before);
+            EXPECT_LT(evaluator_.work() - before, evaluator_.checkWork(across));
+        }
+
+        TEST_F(DraftTest, TheWorkOfAPathIsThatOfCheckingIt)
+        {
+            const auto before = evaluator_.work();
+            evaluator_.checkPath(aside_);
+            const auto work = static_cast<double>(evaluator_.work() - before);
+            EXPECT_NEAR(static_cast<double>(evaluator_.checkWork(aside_)), work, 0.02 * work);
+            EXPECT_EQ(evaluator_.checkedSegments(aside_[0], aside_[1]),
+                      space_->validSegmentCount(aside_[0], aside_[1]));
+            EXPECT_EQ(evaluator_.checkedSegments(aside_[0], aside_[0]), 1U);
+            evaluator_.setStride(STRIDE);
+            EXPECT_EQ(evaluator_.checkedSegments(aside_[0], aside_[1]),
+                      space_->validSegmentCount(aside_[0], aside_[1]) / STRIDE);
+            evaluator_.setStride(1000000);
+            EXPECT_EQ(evaluator_.checkedSegments(aside_[0], aside_[1]), 1U);
+        }
+
+        TEST_F(DraftTest, IsNotCheckedStrictly)
+        {
+            problem_.forget();
+            EXPECT_TRUE(evaluator_.checkBetween({{aside_[0], aside_[1]}}));
+            EXPECT_GT(problem_.states, 0U);
+            evaluator_.setStride(STRIDE);
+            problem_.forget();
+            const auto before = evaluator_.work();
+            EXPECT_TRUE(evaluator_.checkBetween({{aside_[0], aside_[1]}}));
+            EXPECT_EQ(problem_.states, 0U);
+            EXPECT_EQ(evaluator_.work(), before);
+            EXPECT_TRUE(evaluator_.checkMotions({{aside_[0], aside_[1]}}));
+            const auto once = problem_.states.load();
+            EXPECT_TRUE(evaluator_.checkStrictly({{aside_[0], aside_[1]}}));
+            EXPECT_EQ(problem_.states, 2 * once);
+        }
+
+        TEST_F(DraftTest, TheStopConditionIsAskedBeforeEveryMotion)
+        {
+            int asked = 0;
+            evaluator_.setStride(STRIDE);
+            evaluator_.setStopCondition([&asked] { return ++asked > 1; });
+            problem_.forget();
+            EXPECT_TRUE(evaluator_.checkMotion(aside_[0], aside_[1]));
+            const auto once = problem_.states.load();
+            EXPECT_FALSE(evaluator_.checkMotion(aside_[0], aside_[1]));
+            EXPECT_TRUE(evaluator_.interrupted());
+            EXPECT_EQ(problem_.states, once);
+        }
+
+        TEST_F(DraftTest, TheStrideIsResetAfterwards)
+        {
+            {
+                const StrideScope outer(evaluator_, 3);
+                EXPECT_EQ(evaluator_.stride(), 3U);
+                {
+                    const StrideScope inner(evaluator_, 1);
+                    EXPECT_EQ(evaluator_.stride(), 1U);
+                    EXPECT_FALSE(evaluator_.checkPath(through_));
+                }
+                EXPECT_EQ(evaluator_.stride(), 3U);
+            }
+            EXPECT_EQ(evaluator_.stride(), 1U);
+        }
+
+        /* A line 14 radii ahead and a turn by 1 rad after it, off by 3e-7 rad. */
+        TEST(Drafts, MotionsThatOmplCannotComputeAreInvalid)
+        {
+            constexpr double RADIUS = 0.5;
+            const auto space = test::dubinsSpace(false, RADIUS);
+            const test::CountingProblem problem(space, [](const ob::State *) { return true; });
+            PathEvaluator evaluator(problem.si, std::make_shared<ob::PathLengthOptimizationObjective>(problem.si));
+            ob::ScopedState<ob::DubinsStateSpace> from(space);
+            ob::ScopedState<ob::DubinsStateSpace> to(space);
+            from->setXY(-3.0, 0.0);
+            to->setXY(4.0 + RADIUS * std::sin(1.0), RADIUS * (1.0 - std::cos(1.0)));
+            to->setYaw(1.0);
+            evaluator.setStride(4);
+            for (const double off : {-3e-7, 0.0, 3e-7})
+            {
+                from->setYaw(off);
+                Waypoints path(space);
+                path.append(from.get());
+                path.append(to.get());
+                EXPECT_EQ(evaluator.checkMotion(path[0], path[1]), off == 0.0);
+                EXPECT_EQ(evaluator.checkMotions({{path[0], path[1]}}), off == 0.0);
+                EXPECT_EQ(evaluator.checkPath(path), off == 0.0);
+                EXPECT_EQ(evaluator.evaluate(path, nullptr).isFeasible(), off == 0.0);
+                EXPECT_GT(evaluator.checkWork(path), 1U);
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa::path

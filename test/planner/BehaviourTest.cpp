@@ -286,7 +286,11 @@ namespace ompl_mfa::planner
             // printed with six digits, as OMPL's own planners do
             EXPECT_NEAR(std::stod(progress("best cost REAL")), planner_->bestCost(), 1e-5 * planner_->bestCost());
             EXPECT_EQ(progress("iterations INTEGER"), std::to_string(planner_->iterations()));
-            EXPECT_GT(planner_->iterations(), 0U);
+            // with guides, the fireflies usually have a path before their first generation, and none after that
+            if (GetParam() == test::PlannerVariant::Paper)
+            {
+                EXPECT_GT(planner_->iterations(), 0U);
+            }
         }
 
         TEST_P(Behaviour, ASeedMakesARunReproducible)

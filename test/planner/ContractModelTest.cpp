@@ -172,6 +172,7 @@ namespace ompl_mfa::planner
             static const std::vector<Values> VALUES{
                 {"variant", {"mfa", "fa"}, {"", "MFA", "0"}},
                 {"fireflies", {"0", "1"}, {"2", "off", ""}},
+                {"firefly_moves", {"both", "equations", "detours"}, {"all", "", "EQUATIONS"}},
                 {"population_size", {"0", "4", "9", "25"}, {"1", "2", "3", "10001", "-4"}},
                 {"slices", {"1", "2", "7", "12"}, {"0", "1001", "x"}},
                 {"generations", {"1", "3", "50", "100000"}, {"0", "100001", "1e3"}},

@@ -273,12 +273,14 @@ namespace ompl_mfa::planner
                 EXPECT_EQ(accepts(planner_, "threads", [&] { planner_.setThreads(n); }), n >= 1 && n <= 64);
                 EXPECT_TRUE(accepts(planner_, "seed", [&] { planner_.setSeed(n); }));
             }
-            for (const std::string word : {"mfa", "fa", "none", "trees", "roadmap", "both", ""})
+            for (const std::string word : {"mfa", "fa", "none", "trees", "roadmap", "both", "equations", "detours", ""})
             {
                 EXPECT_EQ(accepts(planner_, "variant", [&] { planner_.setVariant(word); }),
                           word == "mfa" || word == "fa");
                 EXPECT_EQ(accepts(planner_, "guide", [&] { planner_.setGuide(word); }),
                           word == "none" || word == "trees" || word == "roadmap" || word == "both");
+                EXPECT_EQ(accepts(planner_, "firefly_moves", [&] { planner_.setFireflyMoves(word); }),
+                          word == "both" || word == "equations" || word == "detours");
             }
         }
 

@@ -104,7 +104,8 @@ namespace ompl_mfa::planner
             const auto told = shares(*mfa);
             EXPECT_EQ(told.size(), 7U);
             EXPECT_NEAR(sum(told), 1.0, 1e-5);
-            for (const char *part : {"fireflies", "recombination", "tightening", "trees", "roadmap"})
+            // recombination ends with the first path
+            for (const char *part : {"fireflies", "tightening", "trees", "roadmap"})
             {
                 EXPECT_GT(told.at(part), 0.0) << part;
             }

@@ -60,7 +60,7 @@ namespace ompl_mfa
         The other parts of the search take turns with the fireflies, according to each one's gain for its work:
         recombination splices the paths of a swarm into better ones, guides (restarting trees and a growing roadmap)
         find the homotopy classes that slices across a straight axis cannot express, and tightening refines what the
-        others find. Once there is a path, swarms fly in windows of it, where they search for other homotopy classes.
+        others find. Once there is a path, the swarm consists of whole, tight, different paths.
         With guide = none, recombination = 0 and tightening = 0 the planner is the algorithm of the paper. */
     class OMPL_MFA_EXPORT MFA : public ompl::base::Planner
     {
@@ -90,6 +90,8 @@ namespace ompl_mfa
         std::string getVariant() const;
         void setFireflies(bool fireflies);
         bool getFireflies() const;
+        void setFireflyMoves(const std::string &moves);
+        std::string getFireflyMoves() const;
         void setPopulationSize(unsigned int size);
         unsigned int getPopulationSize() const;
         void setSlices(unsigned int slices);

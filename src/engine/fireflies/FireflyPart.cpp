@@ -54,6 +54,7 @@ namespace ompl_mfa::engine::fireflies
     FireflyPart::FireflyPart(const SearchContext &context, std::shared_ptr<Swarms> swarms)
       : SearchPart(PartKind::Fireflies, context)
       , swarms_(std::move(swarms))
+      , paths_(context, swarms_->options().fireflies)
     {
     }
 
@@ -65,11 +66,15 @@ namespace ompl_mfa::engine::fireflies
     Share FireflyPart::improvementShare(double seconds) const
     {
         const double weight = 0.08 + 0.14 * std::max(0.0, 1.0 - roadmapFactor(*context().chart));
-        return {weight, weight, Swarms::DELAY * seconds};
+        return {weight, weight, (swarms_->options().pool ? PathSwarm::DELAY : Swarms::DELAY) * seconds};
     }
 
     Readiness FireflyPart::readiness() const
     {
+        if (swarms_->resting())
+        {
+            return paths_.ready() ? Readiness::Ready : Readiness::Idle;
+        }
         if (!swarms_->any())
         {
             return Readiness::Idle;
@@ -79,6 +84,10 @@ namespace ompl_mfa::engine::fireflies
 
     void FireflyPart::advance(std::uint64_t work, Findings &findings)
     {
+        if (swarms_->resting())
+        {
+            return paths_.advance(work, findings);
+        }
         Swarm *swarm = swarms_->active();
         if (swarm == nullptr)
         {
@@ -86,14 +95,14 @@ namespace ompl_mfa::engine::fireflies
         }
         const SearchContext &search = context();
         // a path that tightening cannot make the best is useless
-        if (swarms_->options().bounded && swarms_->window() == nullptr)
+        if (swarms_->options().bounded)
         {
             swarm->setBound(
                 search.evaluator().withSlack(search.incumbent.bound(), search.settings.tightening ? SLACK : 1.0));
         }
         if (swarms_->fly(work))
         {
-            swarms_->endGeneration(findings);
+            swarms_->endGeneration();
         }
         proposeFirefly(findings);
     }
@@ -119,5 +128,12 @@ namespace ompl_mfa::engine::fireflies
     void FireflyPart::explain(SearchGraph &graph) const
     {
         swarms_->explain(graph);
+        for (std::size_t i = 0; i < context().pool.size(); ++i)
+        {
+            if (context().pool[i].valid)
+            {
+                graph.addPath(context().pool[i].path);
+            }
+        }
     }
 }  // namespace ompl_mfa::engine::fireflies

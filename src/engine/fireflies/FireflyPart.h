@@ -40,11 +40,13 @@
 #include <memory>
 
 #include "engine/SearchPart.h"
+#include "engine/fireflies/PathSwarm.h"
 #include "engine/fireflies/Swarms.h"
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief Advances the swarms generation by generation. */
+    /** \brief Before there is a path, the swarms over straight axes; then, with tightening, the swarm of whole paths.
+     */
     class FireflyPart : public SearchPart
     {
     public:
@@ -60,6 +62,7 @@ namespace ompl_mfa::engine::fireflies
         void proposeFirefly(Findings &findings);
 
         std::shared_ptr<Swarms> swarms_;
+        PathSwarm paths_;
     };
 }  // namespace ompl_mfa::engine::fireflies
 

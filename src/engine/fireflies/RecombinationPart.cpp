@@ -65,7 +65,7 @@ namespace ompl_mfa::engine::fireflies
     Readiness RecombinationPart::readiness() const
     {
         const Swarm *swarm = swarms_->current();
-        if (swarm == nullptr || swarms_->mustChoose() || swarm->frame().slices() == 0 ||
+        if (swarm == nullptr || swarms_->resting() || swarm->frame().slices() == 0 ||
             swarm->fireflies().evaluations() == 0)
         {
             return Readiness::Idle;
@@ -78,14 +78,6 @@ namespace ompl_mfa::engine::fireflies
         Swarm *swarm = swarms_->active();
         if (swarm == nullptr)
         {
-            return;
-        }
-        if (WindowSwarm *window = swarms_->window())
-        {
-            if (window->recombine(work))
-            {
-                swarms_->endGeneration(findings);
-            }
             return;
         }
         const Incumbent &incumbent = context().incumbent;

@@ -37,6 +37,8 @@
 #include "engine/fireflies/Swarms.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "path/PathDeformation.h"
@@ -51,33 +53,34 @@ namespace ompl_mfa::engine::fireflies
         constexpr std::size_t MAX_SWARMS = 8;
         /* Work of the guides before the first turn of a swarm. */
         constexpr std::uint64_t FIRST_GUIDES = 50000;
-        /* Generations in a window. */
-        constexpr unsigned int WINDOW_GENERATIONS = 15;
-        /* One window in this many has its slices across the path, not across the straight motion. */
-        constexpr std::size_t CURVED_WINDOWS = 3;
     }  // namespace
 
     Swarms::Swarms(const SearchContext &context, const Options &options)
       : context_(context)
       , options_(options)
-      , windowRandom_(streamSeed(context.seed, Stream::Windows))
-      , firefly_{path::Waypoints(context.chart->space()), std::nullopt, Proposal::Stage::Raw, PartKind::Fireflies}
+      , firefly_{path::Waypoints(context.chart->space()), std::nullopt, Proposal::Stage::Raw, PartKind::Fireflies,
+                 false}
     {
     }
 
     bool Swarms::any() const
     {
-        return context_.hasEnds() && (laid_ == 0 || !straight_.empty() || window_);
+        return context_.hasEnds() && (laid_ == 0 || !straight_.empty());
     }
 
     Swarm *Swarms::active()
     {
         // none yet if the stop condition left no time to make one
-        if (mustChoose())
+        if (active_ == nullptr)
         {
             choose();
         }
         return active_;
+    }
+
+    bool Swarms::resting() const
+    {
+        return options_.pool && context_.incumbent.hasFinitePath() && context_.pool.size() > 0;
     }
 
     bool Swarms::waitForGuides() const
@@ -85,46 +88,14 @@ namespace ompl_mfa::engine::fireflies
         return options_.guided && !context_.incumbent.hasFinitePath() && context_.evaluator().checks() < FIRST_GUIDES;
     }
 
-    bool Swarms::flyInWindow() const
-    {
-        return window_ && active_ == &window_->swarm();
-    }
-
-    const WindowSwarm *Swarms::window() const
-    {
-        return flyInWindow() ? window_.get() : nullptr;
-    }
-
-    WindowSwarm *Swarms::window()
-    {
-        return flyInWindow() ? window_.get() : nullptr;
-    }
-
     void Swarms::choose()
     {
-        active_ = nullptr;
-        if (std::exchange(windowServed_, false))
-        {
-            window_.reset();
-        }
         layStraight();
-        const bool windows = context_.incumbent.hasPath() && options_.windows;
-        if (windows && (straight_.size() < 2 || chosen_++ % 2 == 0))
-        {
-            if (!window_ || window_->exhausted())
-            {
-                openWindow();
-            }
-            if (window_)
-            {
-                active_ = &window_->swarm();
-            }
-        }
-        if (active_ == nullptr && !straight_.empty())
-        {
-            active_ = straight_[context_.progress.iterations / (2UL * context_.settings.generations) % straight_.size()]
-                          .get();
-        }
+        active_ =
+            straight_.empty()
+                ? nullptr
+                : straight_[context_.progress.iterations / (2UL * context_.settings.generations) % straight_.size()]
+                      .get();
     }
 
     /* Swarms over straight axes are made when the first of them is needed; usually a guide has found a path by then. */
@@ -156,29 +127,6 @@ namespace ompl_mfa::engine::fireflies
         }
     }
 
-    /* Opens a window on a segment of the best path, drawn uniformly; windows with slices across the path alternate
-       between it and the alternatives. */
-    void Swarms::openWindow()
-    {
-        const Alternatives &alternatives = context_.alternatives;
-        const bool curved = windows_ % CURVED_WINDOWS == CURVED_WINDOWS - 1;
-        const std::size_t axis = curved ? windows_ / CURVED_WINDOWS % (alternatives.size() + 1) : 0;
-        WindowSwarm::Window window{axis == 0 ? context_.incumbent.path() : alternatives[axis - 1], 0, 0,
-                                   context_.incumbent.cost()};
-        const auto vertices = static_cast<unsigned int>(window.path.size());
-        // a single motion can only be replaced if it is the whole path
-        window.first = vertices > 2 ? windowRandom_.index(vertices - 2) : 0;
-        const auto nearest = std::min<std::size_t>(window.first + 2, vertices - 1);
-        window.last = nearest + windowRandom_.index(static_cast<unsigned int>(vertices - nearest));
-        FireflyOptimizer::Settings settings = options_.fireflies;
-        settings.generations = std::min(settings.generations, WINDOW_GENERATIONS);
-        ++windows_;
-        window_ =
-            WindowSwarm::open(std::move(window), curved ? WindowSwarm::Frame::Curved : WindowSwarm::Frame::Straight,
-                              (context_.settings.slices + 1) / 2, context_.chart, context_.evaluator(), settings,
-                              streamSeed(context_.seed, Stream::WindowSwarm, windows_));
-    }
-
     bool Swarms::fly(std::uint64_t work)
     {
         path::PathEvaluator &evaluator = context_.evaluator();
@@ -193,31 +141,9 @@ namespace ompl_mfa::engine::fireflies
         return completed;
     }
 
-    /* Once the window has found something, the next window waits until that is tightened and compared. */
-    void Swarms::endGeneration(Findings &findings)
+    void Swarms::endGeneration()
     {
-        if (!flyInWindow() || !pursueWindow(findings))
-        {
-            choose();
-        }
-    }
-
-    /* Proposes what the fireflies of the window found as a replacement for its segment, to be compared after
-       tightening. Returns whether the window is finished. */
-    bool Swarms::pursueWindow(Findings &findings)
-    {
-        path::PathEvaluator &evaluator = context_.evaluator();
-        if (window_->found().empty() || evaluator.stopped())
-        {
-            return false;
-        }
-        // a path that can be deformed into the present segment would only be tightened to that
-        if (!context_.settings.tightening || !path::seemDeformable(evaluator, window_->found(), window_->segment()))
-        {
-            findings.detours.push_back(window_->detour(PartKind::Fireflies));
-        }
-        windowServed_ = true;
-        return true;
+        choose();
     }
 
     void Swarms::keepFirefly(const path::Waypoints &path, double cost)
@@ -244,6 +170,21 @@ namespace ompl_mfa::engine::fireflies
     std::vector<path::Waypoints> Swarms::currentPaths() const
     {
         std::vector<path::Waypoints> paths;
+        if (resting())
+        {
+            const PathPool &pool = context_.pool;
+            std::vector<std::size_t> order(pool.size());
+            std::iota(order.begin(), order.end(), 0);
+            std::stable_sort(
+                order.begin(), order.end(),
+                [&](std::size_t a, std::size_t b)
+                { return context_.objective().isCostBetterThan(ob::Cost(pool[a].cost), ob::Cost(pool[b].cost)); });
+            for (const std::size_t i : order)
+            {
+                paths.push_back(pool[i].path);
+            }
+            return paths;
+        }
         if (active_ == nullptr)
         {
             return paths;
@@ -252,7 +193,7 @@ namespace ompl_mfa::engine::fireflies
         for (const unsigned int i : active_->fireflies().order())
         {
             active_->pathOf(i, path);
-            paths.push_back(window() != nullptr ? window()->pathWith(path) : path);
+            paths.push_back(path);
         }
         return paths;
     }
@@ -260,7 +201,7 @@ namespace ompl_mfa::engine::fireflies
     void Swarms::explain(SearchGraph &graph) const
     {
         path::Waypoints path(context_.chart->space());
-        const auto add = [&](const Swarm &swarm, const WindowSwarm *window)
+        const auto add = [&](const Swarm &swarm)
         {
             const FireflyOptimizer &fireflies = swarm.fireflies();
             for (const unsigned int i : fireflies.order())
@@ -271,16 +212,12 @@ namespace ompl_mfa::engine::fireflies
                     continue;
                 }
                 swarm.pathOf(i, path);
-                graph.addPath(window != nullptr ? window->pathWith(path) : path);
+                graph.addPath(path);
             }
         };
         for (const auto &swarm : straight_)
         {
-            add(*swarm, nullptr);
-        }
-        if (window_)
-        {
-            add(window_->swarm(), window_.get());
+            add(*swarm);
         }
     }
 }  // namespace ompl_mfa::engine::fireflies

@@ -44,13 +44,10 @@
 #include "engine/EndPairs.h"
 #include "engine/SearchPart.h"
 #include "engine/fireflies/Swarm.h"
-#include "engine/fireflies/WindowSwarm.h"
-#include "ompl_mfa/optimizer/RandomSource.h"
 
 namespace ompl_mfa::engine::fireflies
 {
-    /** \brief The swarms of a search: over the straight axes between starts and goals, and in windows of the best path
-        or an alternative. Only one of them is active at a time. */
+    /** \brief The swarms over the straight axes between starts and goals. Only one of them is active at a time. */
     class Swarms
     {
     public:
@@ -62,7 +59,7 @@ namespace ompl_mfa::engine::fireflies
         {
             Swarm::Coordinates coordinates{
                 Swarm::Coordinates::Modes};  ///< coordinates of the swarms over straight axes
-            bool windows{true};              ///< whether swarms fly in windows once there is a path
+            bool pool{true};                 ///< whether PathSwarm takes over once there is a path of finite cost
             bool guided{false};              ///< whether guides search for a first path before the fireflies do
             bool bounded{true};  ///< whether fireflies that cannot become the best path skip the validity check
             FireflyOptimizer::Settings fireflies;
@@ -79,53 +76,41 @@ namespace ompl_mfa::engine::fireflies
         /** \brief Whether there is a swarm, or one can be made. */
         bool any() const;
 
+        /** \brief Whether the swarms over straight axes rest because PathSwarm improves the best path. If that is a
+            straight motion, which another objective than length may improve, the pool is empty and they fly on. */
+        bool resting() const;
+
         /** \brief Whether the guides should still search alone: without a path, the first turn of a swarm takes
             thousands of state checks. */
         bool waitForGuides() const;
 
-        /** \brief The active swarm, chosen now if a choice is due. Swarms over straight axes alternate by generations.
-            Once there is a path, windows get every other turn, or all turns if there is only one axis (as the whole
-            path can be a window, too). Null if there is none. */
+        /** \brief The active swarm, or the first one; they alternate by generations. Null if there is none. */
         Swarm *active();
 
-        /** \brief Whether the next call of active() makes a choice. */
-        bool mustChoose() const
-        {
-            return windowServed_ || active_ == nullptr;
-        }
-
-        /** \brief The active swarm, or the previous one until the next is chosen; null before the first. */
+        /** \brief The active swarm; null before the first. */
         const Swarm *current() const
         {
             return active_;
         }
 
-        /** \brief The window of the active swarm, or null. */
-        const WindowSwarm *window() const;
-        WindowSwarm *window();
-
         /** \brief Advances the active swarm, which must exist, by about \e work; true if a generation was completed. */
         bool fly(std::uint64_t work);
 
-        /** \brief To be called after a generation or recombination: makes what the window has found a detour, and has
-            another swarm chosen. */
-        void endGeneration(Findings &findings);
+        /** \brief To be called after a generation: the next swarm becomes active. */
+        void endGeneration();
 
         /** \brief The best valid firefly over a straight axis since the last call, with its cost, or nothing. */
         std::optional<Proposal> takeFirefly();
 
-        /** \brief The paths of the current swarm, brightest first. */
+        /** \brief The paths of the current swarm, which is the pool while resting(), brightest first. */
         std::vector<path::Waypoints> currentPaths() const;
 
         /** \brief Adds all fireflies that are valid. */
         void explain(SearchGraph &graph) const;
 
     private:
-        bool flyInWindow() const;
         void choose();
         void layStraight();
-        void openWindow();
-        bool pursueWindow(Findings &findings);
         void keepFirefly(const path::Waypoints &path, double cost);
 
         const SearchContext &context_;
@@ -133,12 +118,7 @@ namespace ompl_mfa::engine::fireflies
         EndPairs pairs_;
         std::size_t laid_{0};  ///< pairs taken from pairs_
         std::vector<std::unique_ptr<Swarm>> straight_;
-        std::unique_ptr<WindowSwarm> window_;
-        Swarm *active_{nullptr};    ///< that of the window, or one of straight_
-        bool windowServed_{false};  ///< whether window_ is finished and only kept for display
-        std::size_t chosen_{0};     ///< number of choices between windows and straight axes
-        std::size_t windows_{0};    ///< number of windows opened so far
-        RandomSource windowRandom_;
+        Swarm *active_{nullptr};  ///< one of straight_
         Proposal firefly_;
     };
 }  // namespace ompl_mfa::engine::fireflies

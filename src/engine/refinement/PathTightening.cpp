@@ -75,6 +75,7 @@ namespace ompl_mfa::engine::refinement
       , evaluator_(evaluator)
       , rng_(seed)
       , path_(chart_->space())
+      , segment_(chart_->space())
       , a_(chart_->space()->allocState())
       , b_(chart_->space()->allocState())
       , beyond_(chart_->space()->allocState())
@@ -211,6 +212,8 @@ namespace ompl_mfa::engine::refinement
         {
             case Shortcut:
                 return shortcut();
+            case PartShortcut:
+                return partShortcut();
             case Pull:
                 return pull(i);
             case PullPart:
@@ -445,6 +448,113 @@ namespace ompl_mfa::engine::refinement
         return true;
     }
 
+    /* Moves all vertices between two toward the chord of these, in some coordinates only: steps of single vertices
+       straighten a long section slowly, and shortcuts in all coordinates are often blocked. R. Geraerts and M. H.
+       Overmars, Creating high-quality paths for motion planning, IJRR 26(8), 2007 (partial shortcut). */
+    bool PathTightening::partShortcut()
+    {
+        const auto last = static_cast<int>(path_.size()) - 1;
+        if (last < 3 || chart_->dimension() < 2)
+        {
+            return false;
+        }
+        const int i = rng_.uniformInt(0, last - 3);
+        const int j = rng_.uniformInt(i + 3, last);
+        const auto first = static_cast<std::size_t>(i);
+        const auto count = static_cast<std::size_t>(j - i);
+        Eigen::VectorXd mask(chart_->dimension());
+        selectCoordinates(mask);
+        const double part = rng_.uniform01() < 0.5 ? 1.0 : rng_.uniform01();
+        double length = 0.0;
+        for (std::size_t k = first; k < first + count; ++k)
+        {
+            length += chart_->distance(path_[k], path_[k + 1]);
+        }
+        if (!(length > 0.0) || !std::isfinite(length))
+        {
+            return false;
+        }
+        segment_.clear();
+        segment_.append(path_[first]);
+        double behind = 0.0;
+        for (std::size_t k = 1; k < count; ++k)
+        {
+            behind += chart_->distance(path_[first + k - 1], path_[first + k]);
+            chart_->interpolate(path_[first], path_[first + count], std::min(1.0, behind / length), b_);
+            chart_->space()->enforceBounds(b_);
+            chart_->difference(path_[first + k], b_, delta_);
+            delta_ = part * delta_.cwiseProduct(mask);
+            chart_->displace(path_[first + k], delta_, a_);
+            segment_.append(a_);
+        }
+        segment_.append(path_[first + count]);
+        return replaceSegment(first);
+    }
+
+    /* One coordinate, half of them, all but one, or those of one subspace. */
+    void PathTightening::selectCoordinates(Eigen::VectorXd &mask)
+    {
+        const auto d = static_cast<int>(mask.size());
+        switch (rng_.uniformInt(chart_->leaves() > 1 ? 0 : 1, 3))
+        {
+            case 0:
+            {
+                const auto [offset, dimension] = chart_->leafRange(
+                    static_cast<std::size_t>(rng_.uniformInt(0, static_cast<int>(chart_->leaves()) - 1)));
+                mask.setZero();
+                mask.segment(offset, dimension).setOnes();
+                break;
+            }
+            case 1:
+                mask.setOnes();
+                mask[rng_.uniformInt(0, d - 1)] = 0.0;
+                break;
+            case 2:
+                for (Eigen::Index j = 0; j < mask.size(); ++j)
+                {
+                    mask[j] = rng_.uniform01() < 0.5 ? 0.0 : 1.0;
+                }
+                break;
+            default:
+                mask.setZero();
+                mask[rng_.uniformInt(0, d - 1)] = 1.0;
+                break;
+        }
+    }
+
+    /* Replaces the vertices from \e first on by those of segment_ if that is better and valid. */
+    bool PathTightening::replaceSegment(std::size_t first)
+    {
+        const auto &objective = evaluator_.objective();
+        const std::size_t motions = segment_.size() - 1;
+        segmentCosts_.resize(motions);
+        evaluator_.addWork(motions);
+        ob::Cost old = costs_[first];
+        ob::Cost fresh;
+        for (std::size_t k = 0; k < motions; ++k)
+        {
+            if (!evaluator_.motionCost(segment_[k], segment_[k + 1], segmentCosts_[k]))
+            {
+                return false;
+            }
+            fresh = k == 0 ? segmentCosts_[k] : objective->combineCosts(fresh, segmentCosts_[k]);
+            old = k == 0 ? old : objective->combineCosts(old, costs_[first + k]);
+        }
+        if (!objective->isCostBetterThan(fresh, old) || !evaluator_.checkStrictly(segment_))
+        {
+            return false;
+        }
+        for (std::size_t k = 0; k < motions; ++k)
+        {
+            costs_[first + k] = segmentCosts_[k];
+            if (k > 0)
+            {
+                chart_->space()->copyState(path_[first + k], segment_[k]);
+            }
+        }
+        return true;
+    }
+
     /* Whether the motion a_ -> b_ is valid and, where they are needed, those that join it to the path \e before and \e
        after. */
     bool PathTightening::checkShortcut(const ob::State *before, const ob::State *after)
@@ -497,7 +607,7 @@ namespace ompl_mfa::engine::refinement
        to the state itself are checked at twice the resolution, those beyond it at the normal one. */
     bool PathTightening::hasMargin(std::size_t i, const ob::State *state)
     {
-        const unsigned int segments = std::max(1U, chart_->validSegmentCount(path_[i - 1], state));
+        const unsigned int segments = evaluator_.checkedSegments(path_[i - 1], state);
         const double margin = MARGIN * chart_->distance(path_[i - 1], state) / segments;
         const double step = chart_->distance(path_[i], state);
         if (step <= 0.0)

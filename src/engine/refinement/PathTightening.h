@@ -112,6 +112,7 @@ namespace ompl_mfa::engine::refinement
         enum StepKind : std::size_t
         {
             Shortcut,
+            PartShortcut,
             Pull,
             PullPart,
             Perturb,
@@ -139,6 +140,9 @@ namespace ompl_mfa::engine::refinement
         void bendInfiniteMotions();
         bool bend(std::size_t i);
         bool shortcut();
+        bool partShortcut();
+        void selectCoordinates(Eigen::VectorXd &mask);
+        bool replaceSegment(std::size_t first);
         bool checkShortcut(const ompl::base::State *before, const ompl::base::State *after);
         void removeVertices();
         bool remove(std::size_t i);
@@ -163,6 +167,8 @@ namespace ompl_mfa::engine::refinement
         path::PathEvaluator &evaluator_;
         ompl::RNG rng_;
         path::Waypoints path_;
+        path::Waypoints segment_;
+        std::vector<ompl::base::Cost> segmentCosts_;
         std::vector<ompl::base::Cost> costs_;  ///< costs of the motions of path_, as far as they are computed
         double total_{0.0};                    ///< cost of path_ during a round
         std::array<Payoff, StepKinds> payoffs_{};

@@ -36,8 +36,11 @@
 
 #include "engine/refinement/TighteningPart.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "engine/refinement/TightenRounds.h"
 
 namespace ob = ompl::base;
 
@@ -45,12 +48,13 @@ namespace ompl_mfa::engine::refinement
 {
     namespace
     {
-        /* Maximum rounds of tightening for a new path, and the work of each as a factor of the work of checking the
-           path once. */
-        constexpr unsigned int ROUNDS = 8;
-        constexpr std::uint64_t ROUND_FACTOR = 3;
-        /* A new path is given up if this many more rounds like the last would not make it the best. */
-        constexpr double PATIENCE = 4.0;
+        /* A draft is repaired if it costs at most this factor times the path that it should beat: the repaired path is
+           tightened further. */
+        constexpr double DRAFT_SLACK = 1.01;
+        /* Relative gain that a draft of the best path must promise to be repaired. */
+        constexpr double LEAST_PROMISE = 0.004;
+        /* Another best path that is better by this fraction replaces the draft of the last one. */
+        constexpr double RESTART_GAIN = 0.003;
     }  // namespace
 
     TighteningPart::TighteningPart(const SearchContext &context)
@@ -59,6 +63,9 @@ namespace ompl_mfa::engine::refinement
                                                streamSeed(context.seed, Stream::Tightening)))
       , new_(std::make_unique<PathTightening>(context.chart, context.evaluator(),
                                               streamSeed(context.seed, Stream::NewTightening)))
+      , draft_(context.chart, context.evaluator(), streamSeed(context.seed, Stream::DraftTightening))
+      , bestDraft_(context.chart, context.evaluator(), streamSeed(context.seed, Stream::BestDraft))
+      , repair_(context.chart, context.evaluator(), streamSeed(context.seed, Stream::Repair))
     {
     }
 
@@ -80,18 +87,71 @@ namespace ompl_mfa::engine::refinement
                                                                                                   : Readiness::Idle;
     }
 
+    bool TighteningPart::isBetter(double a, double b) const
+    {
+        return context().objective().isCostBetterThan(ob::Cost(a), ob::Cost(b));
+    }
+
+    /* Relative to the cost before; negative if that was better. */
+    double TighteningPart::gain(double before, double after) const
+    {
+        const double size = std::abs(before - after) / std::max(std::abs(before), 1e-12);
+        return isBetter(after, before) ? size : -size;
+    }
+
     void TighteningPart::advance(std::uint64_t work, Findings &findings)
     {
+        refined_ = false;
+        if (turn_++ % 2 == 0 && advanceDraft(work, findings))
+        {
+            return;
+        }
         const Incumbent &incumbent = context().incumbent;
         if (std::exchange(stale_, false))
         {
             best_->begin(incumbent.path());
         }
-        refined_ = false;
         if (best_->advance(work))
         {
-            findings.paths.push_back({best_->path(), best_->cost(), Proposal::Stage::Tight, incumbent.origin()});
+            findings.paths.push_back({best_->path(), best_->cost(), Proposal::Stage::Tight, incumbent.origin(), false});
         }
+    }
+
+    /* Tightens the draft of the best path; false if there is nothing to gain by it. */
+    bool TighteningPart::advanceDraft(std::uint64_t work, Findings &findings)
+    {
+        const Incumbent &incumbent = context().incumbent;
+        const unsigned int stride = context().draftStride();
+        if (stride < 2)
+        {
+            return false;
+        }
+        if (drafted_.promised > 0.0)
+        {
+            // a draft that did not become the best path must promise more the next time, or it is proposed for ever
+            drafted_.promise = 2.0 * std::max(drafted_.promise, drafted_.promised);
+            drafted_.promised = 0.0;
+        }
+        if (!drafted_.begun || gain(drafted_.cost, incumbent.cost()) > RESTART_GAIN)
+        {
+            bestDraft_.begin(incumbent.path());
+            drafted_ = {incumbent.cost(), true, false, LEAST_PROMISE, 0.0};
+        }
+        if (drafted_.done)
+        {
+            return false;
+        }
+        const path::StrideScope draft(context().evaluator(), stride);
+        bestDraft_.advance(work);
+        drafted_.done = bestDraft_.converged();
+        const ob::Cost cost = bestDraft_.cost();
+        const double promised = gain(incumbent.cost(), cost.value());
+        if (promised > drafted_.promise * (drafted_.done ? 0.5 : 1.0) && !context().evaluator().interrupted())
+        {
+            drafted_.promised = promised;
+            findings.paths.push_back({bestDraft_.path(), cost, Proposal::Stage::Tight, incumbent.origin(), true});
+        }
+        return true;
     }
 
     void TighteningPart::improved(const Proposal &proposal)
@@ -101,35 +161,76 @@ namespace ompl_mfa::engine::refinement
         {
             std::swap(best_, new_);
         }
+        if (drafted_.promised > 0.0)
+        {
+            drafted_.promised = 0.0;
+            drafted_.cost = context().incumbent.cost();
+        }
     }
 
-    const path::Waypoints &TighteningPart::refine(const path::Waypoints &path, ob::Cost &cost, ob::Cost rival)
+    Proposal TighteningPart::refine(Proposal proposal, ob::Cost rival)
+    {
+        const path::Waypoints raw = proposal.path;
+        const ob::Cost rawCost = *proposal.cost;
+        const bool rawDraft = proposal.draft;
+        const bool tighten = proposal.stage == Proposal::Stage::Raw;
+        refined_ = false;
+        proposal.stage = Proposal::Stage::Tight;
+        if (tighten && context().draftStride() > 1 && !tightenDraft(proposal, rival))
+        {
+            return proposal;
+        }
+        if (proposal.draft && !repair(proposal))
+        {
+            if (rawDraft || context().evaluator().interrupted())
+            {
+                return proposal;
+            }
+            proposal.path = raw;
+            proposal.cost = rawCost;
+            proposal.draft = false;
+        }
+        tightenFully(proposal, rival);
+        return proposal;
+    }
+
+    /* Whether the draft promises to be better than the rival. */
+    bool TighteningPart::tightenDraft(Proposal &proposal, ob::Cost rival)
     {
         path::PathEvaluator &evaluator = context().evaluator();
-        const ob::OptimizationObjective &objective = context().objective();
-        std::uint64_t check = path.size();
-        for (std::size_t i = 1; i < path.size(); ++i)
+        const path::StrideScope draft(evaluator, context().draftStride());
+        const ob::Cost promising(evaluator.withSlack(rival.value(), DRAFT_SLACK));
+        const bool best = !isBetter(context().incumbent.cost(), proposal.cost->value());
+        draft_.begin(proposal.path);
+        proposal.cost = tightenRounds(draft_, evaluator, *proposal.cost, promising, !best);
+        proposal.path = draft_.path();
+        proposal.draft = true;
+        return !evaluator.interrupted() && isBetter(proposal.cost->value(), promising.value());
+    }
+
+    bool TighteningPart::repair(Proposal &proposal)
+    {
+        path::Waypoints repaired = proposal.path;
+        if (!repair_.repair(repaired))
         {
-            check += path.space()->validSegmentCount(path[i - 1], path[i]);
+            return false;
         }
+        const ob::Cost cost = context().evaluator().cost(repaired);
+        if (context().evaluator().interrupted())
+        {
+            return false;
+        }
+        proposal.path = std::move(repaired);
+        proposal.cost = cost;
+        proposal.draft = false;
+        return true;
+    }
+
+    void TighteningPart::tightenFully(Proposal &proposal, ob::Cost rival)
+    {
         refined_ = true;
-        new_->begin(path);
-        for (unsigned int k = 0; k < ROUNDS && !new_->converged() && !evaluator.stopped(); ++k)
-        {
-            new_->advance(ROUND_FACTOR * check);
-            const double before = cost.value();
-            cost = new_->cost();
-            if (objective.isCostBetterThan(cost, rival))
-            {
-                break;
-            }
-            // no extrapolation from an infinite cost
-            const ob::Cost promised(cost.value() - PATIENCE * (before - cost.value()));
-            if (k > 0 && std::isfinite(cost.value()) && !objective.isCostBetterThan(promised, rival))
-            {
-                break;
-            }
-        }
-        return new_->path();
+        new_->begin(proposal.path);
+        proposal.cost = tightenRounds(*new_, context().evaluator(), *proposal.cost, rival, true);
+        proposal.path = new_->path();
     }
 }  // namespace ompl_mfa::engine::refinement

@@ -37,14 +37,20 @@
 #ifndef OMPL_MFA_ENGINE_REFINEMENT_TIGHTENING_PART_
 #define OMPL_MFA_ENGINE_REFINEMENT_TIGHTENING_PART_
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "engine/SearchPart.h"
+#include "engine/refinement/PathRepair.h"
 #include "engine/refinement/PathTightening.h"
 
 namespace ompl_mfa::engine::refinement
 {
-    /** \brief Tightens the best path in its own turns, and the paths that other parts propose at once. */
+    /** \brief Tightens the best path in its own turns, and the paths that other parts propose at once.
+
+        What only has to be compared is tightened as a draft, whose motions are checked at one state in a few. Only a
+        draft that promises to be the best path is repaired, and tightened in full. */
     class TighteningPart : public SearchPart, public PathRefiner
     {
     public:
@@ -58,14 +64,35 @@ namespace ompl_mfa::engine::refinement
         /** \brief Continues with the result of the last refine(), or begins with any other path. */
         void improved(const Proposal &proposal) override;
 
-        const path::Waypoints &refine(const path::Waypoints &path, ompl::base::Cost &cost,
-                                      ompl::base::Cost rival) override;
+        Proposal refine(Proposal proposal, ompl::base::Cost rival) override;
 
     private:
+        /* The draft of the best path. */
+        struct BestDraft
+        {
+            double cost{0.0};  ///< cost of the best path when it was last compared with the draft
+            bool begun{false};
+            bool done{false};      ///< whether it promises no further gain
+            double promise{0.0};   ///< relative gain that it must promise to be repaired
+            double promised{0.0};  ///< relative gain that it promised when it was proposed; 0: not proposed since
+        };
+
+        bool isBetter(double a, double b) const;
+        double gain(double before, double after) const;
+        bool advanceDraft(std::uint64_t work, Findings &findings);
+        bool tightenDraft(Proposal &proposal, ompl::base::Cost rival);
+        bool repair(Proposal &proposal);
+        void tightenFully(Proposal &proposal, ompl::base::Cost rival);
+
         std::unique_ptr<PathTightening> best_;  ///< for the best path
         std::unique_ptr<PathTightening> new_;   ///< for a proposed path
-        bool refined_{false};                   ///< whether new_ made the last result
-        bool stale_{false};                     ///< whether best_ has to restart from the best path
+        PathTightening draft_;                  ///< for drafts of proposed paths
+        PathTightening bestDraft_;              ///< for a draft of the best path
+        PathRepair repair_;
+        BestDraft drafted_;
+        std::size_t turn_{0};
+        bool refined_{false};  ///< whether new_ made the last result
+        bool stale_{false};    ///< whether best_ has to restart from the best path
     };
 }  // namespace ompl_mfa::engine::refinement
 

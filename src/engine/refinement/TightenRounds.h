@@ -32,43 +32,21 @@
  *  POSSIBILITY OF SUCH DAMAGE.
  *********************************************************************/
 
-/* Author: the ompl_mfa authors */
+#ifndef OMPL_MFA_ENGINE_REFINEMENT_TIGHTEN_ROUNDS_
+#define OMPL_MFA_ENGINE_REFINEMENT_TIGHTEN_ROUNDS_
 
-#ifndef OMPL_MFA_ENGINE_ALTERNATIVES_
-#define OMPL_MFA_ENGINE_ALTERNATIVES_
+#include <ompl/base/Cost.h>
 
-#include <cstddef>
-#include <vector>
+#include "engine/refinement/PathTightening.h"
+#include "path/PathEvaluator.h"
 
-#include "path/Waypoints.h"
-
-namespace ompl_mfa::engine
+namespace ompl_mfa::engine::refinement
 {
-    /** \brief The last few tightened paths that cost slightly more than the best one, mostly of other homotopy
-        classes. */
-    class Alternatives
-    {
-    public:
-        /** \brief A path is kept if its cost is at most this factor times that of the best one. */
-        static constexpr double SLACK = 1.1;
-
-        /** \brief Keeps \e path, replacing the oldest if there are three already. */
-        void add(const path::Waypoints &path);
-
-        std::size_t size() const
-        {
-            return paths_.size();
-        }
-
-        const path::Waypoints &operator[](std::size_t i) const
-        {
-            return paths_[i];
-        }
-
-    private:
-        std::vector<path::Waypoints> paths_;
-        std::size_t next_{0};
-    };
-}  // namespace ompl_mfa::engine
+    /** \brief Tightens the path that \e tightening has begun with, of cost \e cost, round by round: each costs a few
+        times the work of checking the path. Ends when the recent gains no longer promise a cost better than \e rival,
+        or when they have nearly ceased; if \e untilBetter, as soon as the cost is better. Returns the cost. */
+    ompl::base::Cost tightenRounds(PathTightening &tightening, path::PathEvaluator &evaluator, ompl::base::Cost cost,
+                                   ompl::base::Cost rival, bool untilBetter);
+}  // namespace ompl_mfa::engine::refinement
 
 #endif

@@ -32,26 +32,41 @@
  *  POSSIBILITY OF SUCH DAMAGE.
  *********************************************************************/
 
-/* Author: the ompl_mfa authors */
+#ifndef OMPL_MFA_PATH_PATH_WALK_
+#define OMPL_MFA_PATH_PATH_WALK_
 
-#include "engine/Alternatives.h"
+#include <cstddef>
 
-namespace ompl_mfa::engine
+#include "path/Waypoints.h"
+
+namespace ompl_mfa::path
 {
-    namespace
+    /** \brief Interpolates a path of at least two states at increasing distances from its beginning. */
+    class PathWalk
     {
-        constexpr std::size_t CAPACITY = 3;
-    }  // namespace
+    public:
+        /** \brief \e path must outlive the object. */
+        explicit PathWalk(const Waypoints &path);
 
-    void Alternatives::add(const path::Waypoints &path)
-    {
-        if (paths_.size() < CAPACITY)
+        /** \brief Computes the \e state at \e distance from the beginning, which must not be less than in the last
+            call. */
+        void stateAt(double distance, ompl::base::State *state);
+
+        /** \brief Index of the vertex at the end of the motion on which the last state lies. */
+        std::size_t next() const
         {
-            paths_.push_back(path);
+            return next_;
         }
-        else
-        {
-            paths_[next_++ % CAPACITY] = path;
-        }
-    }
-}  // namespace ompl_mfa::engine
+
+    private:
+        const Waypoints &path_;
+        std::size_t next_{1};
+        double behind_{0.0};  ///< length of the path before the motion to next_
+        double motion_;       ///< length of that motion
+    };
+
+    /** \brief The \e count states at equal fractions k / (count + 1) of the length of \e path. */
+    Waypoints statesAlong(const Waypoints &path, unsigned int count);
+}  // namespace ompl_mfa::path
+
+#endif
