@@ -389,14 +389,13 @@ namespace ompl_mfa::path
         return std::isfinite(slack) && objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(slack)) ? slack : cost;
     }
 
-    Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival, unsigned int stride)
+    Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival)
     {
         const ob::Cost known = cost(path);
-        return interrupted_ ? Brightness() : evaluate(path, known, rival, stride);
+        return interrupted_ ? Brightness() : evaluate(path, known, rival);
     }
 
-    Brightness PathEvaluator::evaluate(const Waypoints &path, ob::Cost cost, const Brightness *rival,
-                                       unsigned int stride)
+    Brightness PathEvaluator::evaluate(const Waypoints &path, ob::Cost cost, const Brightness *rival)
     {
         Brightness result{0.0, cost.value()};
         const bool feasibleRival = rival != nullptr && rival->isFeasible();
@@ -407,10 +406,6 @@ namespace ompl_mfa::path
         const std::size_t motions = path.size() - 1;
         // a path that repeatedly fails often fails at the same motion
         const std::size_t first = partialPath_ || lastInvalid_ >= motions ? 0 : lastInvalid_;
-        if (stride > 1 && !partialPath_ && !addInvalidLengths(path, first, stride, rival, result))
-        {
-            return result;
-        }
         const auto number = [first](std::size_t k) { return k == 0 ? first : (k <= first ? k - 1 : k); };
         motions_.clear();
         for (std::size_t k = 0; k < motions; ++k)
@@ -438,7 +433,7 @@ namespace ompl_mfa::path
                 reportPartialPath(path, i);
             }
             // a motion that only the motion validator rejects still counts
-            result.violation += invalidLength({path[i], path[i + 1]}, 1, 1);
+            result.violation += invalidLength({path[i], path[i + 1]});
             if (rival != nullptr && result.violation > rival->violation)
             {
                 return {};
@@ -479,50 +474,15 @@ namespace ompl_mfa::path
         return invalid;
     }
 
-    /* The invalid length of the motion, estimated from one state in \e stride, with at least \e least invalid states;
-       the whole length if OMPL cannot compute the motion. */
-    double PathEvaluator::invalidLength(const Motion &motion, unsigned int stride, unsigned int least)
+    /* The length of the invalid segments of the motion, at least one; the whole length if OMPL cannot compute it. */
+    double PathEvaluator::invalidLength(const Motion &motion)
     {
         if (!guard_.allows(motion.from, motion.to))
         {
             return guard_.distance(motion.from, motion.to);
         }
-        const unsigned int count =
-            std::max(1U, si_->getStateSpace()->validSegmentCount(motion.from, motion.to) / stride);
-        const unsigned int invalid = std::max(least, countInvalid(motion.from, motion.to, count));
-        return invalid > 0 ? si_->distance(motion.from, motion.to) * invalid / count : 0.0;
-    }
-
-    /* Adds the invalid lengths, estimated from one state in \e stride, of the motions from \e first on and then of
-       those before it; false if that decides the evaluation. */
-    bool PathEvaluator::addInvalidLengths(const Waypoints &path, std::size_t first, unsigned int stride,
-                                          const Brightness *rival, Brightness &result)
-    {
-        const std::size_t motions = path.size() - 1;
-        for (std::size_t k = 0; k < motions; ++k)
-        {
-            if (stopped())
-            {
-                result = {};
-                return false;
-            }
-            const std::size_t i = (first + k) % motions;
-            const double length = invalidLength({path[i], path[i + 1]}, stride, 0);
-            if (length <= 0.0)
-            {
-                continue;
-            }
-            if (result.violation == 0.0)
-            {
-                lastInvalid_ = i;
-            }
-            result.violation += length;
-            if (rival != nullptr && result.violation > rival->violation)
-            {
-                result = {};
-                return false;
-            }
-        }
-        return result.violation == 0.0;
+        const unsigned int count = std::max(1U, si_->getStateSpace()->validSegmentCount(motion.from, motion.to));
+        const unsigned int invalid = std::max(1U, countInvalid(motion.from, motion.to, count));
+        return si_->distance(motion.from, motion.to) * invalid / count;
     }
 }  // namespace ompl_mfa::path

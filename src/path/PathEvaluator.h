@@ -174,15 +174,11 @@ namespace ompl_mfa::path
             the length of its invalid segments in the unit of the space's distance.
 
             With a \e rival, the result is infinitely dim as soon as the path is known not to be brighter; a path
-            that is worse in cost is never checked for collision.
-
-            With a \e stride above 1, one state in \e stride is checked first, and if any of these is invalid, they
-            alone determine the violation. A path is feasible only if all its states are valid. */
-        Brightness evaluate(const Waypoints &path, const Brightness *rival, unsigned int stride = 1);
+            that is worse in cost is never checked for collision. */
+        Brightness evaluate(const Waypoints &path, const Brightness *rival);
 
         /** \brief The same for a path whose \e cost is known. */
-        Brightness evaluate(const Waypoints &path, ompl::base::Cost cost, const Brightness *rival,
-                            unsigned int stride = 1);
+        Brightness evaluate(const Waypoints &path, ompl::base::Cost cost, const Brightness *rival);
 
         bool isBrighter(const Brightness &a, const Brightness &b) const;
 
@@ -253,10 +249,8 @@ namespace ompl_mfa::path
         bool checkInside(const Motion &motion, unsigned int count);
         bool checkDraft(const Motion &motion);
         void reportPartialPath(const Waypoints &path, std::size_t motion);
-        bool addInvalidLengths(const Waypoints &path, std::size_t first, unsigned int stride, const Brightness *rival,
-                               Brightness &result);
         unsigned int countInvalid(const ompl::base::State *from, const ompl::base::State *to, unsigned int count);
-        double invalidLength(const Motion &motion, unsigned int stride, unsigned int least);
+        double invalidLength(const Motion &motion);
 
         ompl::base::SpaceInformationPtr si_;
         ompl::base::OptimizationObjectivePtr objective_;

@@ -163,31 +163,6 @@ namespace ompl_mfa::path
             EXPECT_GT(brightness.violation, 0.0);
         }
 
-        TEST_F(PathEvaluatorTest, WithAStrideOneStateInSoManyTellsTheViolation)
-        {
-            constexpr unsigned int STRIDE = 20;
-            const double resolution = 0.001 * space_->getMaximumExtent();
-            const Brightness exact = evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr);
-            const unsigned long states = problem_.states;
-            problem_.forget();
-            const Brightness coarse = evaluator_.evaluate(path(THROUGH_THE_WALL), nullptr, STRIDE);
-            EXPECT_NEAR(coarse.violation, exact.violation, 2.0 * STRIDE * resolution);
-            EXPECT_DOUBLE_EQ(coarse.cost, exact.cost);
-            EXPECT_LT(problem_.states, states / 10);
-            EXPECT_EQ(problem_.motions, 0U);
-            // a rival with less violation decides
-            const Brightness rival{0.5, 0.0};
-            EXPECT_EQ(evaluator_.evaluate(path(THROUGH_THE_WALL), &rival, STRIDE).violation, Brightness().violation);
-        }
-
-        TEST_F(PathEvaluatorTest, WhatOnlyOtherStatesThanThoseOfTheStrideFindInvalidIsInvalid)
-        {
-            // with this stride only the end of each motion is checked, and it is valid
-            const Brightness brightness = evaluator_.evaluate(path({{0, 0}, {9, 0}}), nullptr, 1000);
-            EXPECT_FALSE(brightness.isFeasible());
-            EXPECT_TRUE(evaluator_.evaluate(path(OVER_THE_WALL), nullptr, 1000).isFeasible());
-        }
-
         TEST_F(PathEvaluatorTest, ACandidateThatCannotWinOnCostIsNeverChecked)
         {
             const Brightness rival = evaluator_.evaluate(path(OVER_THE_WALL), nullptr);

@@ -76,7 +76,7 @@ namespace ompl_mfa::engine::fireflies
     }  // namespace
 
     SliceFrame SliceFrame::straight(const path::StateChartPtr &chart, const ob::State *start, const ob::State *goal,
-                                    unsigned int segments, double reach)
+                                    unsigned int segments)
     {
         Eigen::VectorXd delta(chart->dimension());
         chart->difference(start, goal, delta);
@@ -88,10 +88,10 @@ namespace ompl_mfa::engine::fireflies
         }
         chart->space()->copyState(axis[0], start);
         chart->space()->copyState(axis[segments], goal);
-        return {chart, std::move(axis), reach};
+        return {chart, std::move(axis)};
     }
 
-    SliceFrame::SliceFrame(path::StateChartPtr chart, path::Waypoints axis, double reach)
+    SliceFrame::SliceFrame(path::StateChartPtr chart, path::Waypoints axis)
       : chart_(std::move(chart))
       , axis_(std::move(axis))
     {
@@ -110,7 +110,7 @@ namespace ompl_mfa::engine::fireflies
         upper_.resize(dimension);
         for (std::size_t k = 0; k < slices_.size(); ++k)
         {
-            setBounds(k, reach);
+            setBounds(k);
         }
     }
 
@@ -132,7 +132,7 @@ namespace ompl_mfa::engine::fireflies
         return slice;
     }
 
-    void SliceFrame::setBounds(std::size_t k, double reach)
+    void SliceFrame::setBounds(std::size_t k)
     {
         const Slice &slice = slices_[k];
         const Eigen::Index lateral = slice.basis.cols();
@@ -142,12 +142,12 @@ namespace ompl_mfa::engine::fireflies
         {
             const double up = chart_->reach(axis_[k + 1], slice.basis.col(i));
             const double down = chart_->reach(axis_[k + 1], -slice.basis.col(i));
-            upper_[slice.offset + i] = std::min(std::isfinite(up) ? up : unbounded, reach);
-            lower_[slice.offset + i] = -std::min(std::isfinite(down) ? down : unbounded, reach);
+            upper_[slice.offset + i] = std::isfinite(up) ? up : unbounded;
+            lower_[slice.offset + i] = -(std::isfinite(down) ? down : unbounded);
         }
         const Eigen::VectorXd &rotation = chart_->rotationReach();
-        upper_.segment(slice.offset + lateral, rotation.size()) = rotation.cwiseMin(reach);
-        lower_.segment(slice.offset + lateral, rotation.size()) = -rotation.cwiseMin(reach);
+        upper_.segment(slice.offset + lateral, rotation.size()) = rotation;
+        lower_.segment(slice.offset + lateral, rotation.size()) = -rotation;
     }
 
     void SliceFrame::toState(std::size_t k, const Eigen::Ref<const Eigen::VectorXd> &x, ob::State *state,

@@ -38,7 +38,6 @@
 #define OMPL_MFA_ENGINE_FIREFLIES_SLICE_FRAME_
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -61,17 +60,14 @@ namespace ompl_mfa::engine::fireflies
     class SliceFrame
     {
     public:
-        /** \brief A straight frame with \e segments >= 1 segments, that is segments - 1 slices. No coordinate exceeds
-            \e reach (a distance). */
+        /** \brief A straight frame with \e segments >= 1 segments, that is segments - 1 slices. */
         static SliceFrame straight(const path::StateChartPtr &chart, const ompl::base::State *start,
-                                   const ompl::base::State *goal, unsigned int segments,
-                                   double reach = std::numeric_limits<double>::infinity());
+                                   const ompl::base::State *goal, unsigned int segments);
 
         /** \brief A frame along \e axis: its first and last state are start and goal, the states in between are the
-            origins of the slices. No coordinate exceeds \e reach (a distance). Throws std::invalid_argument if there
+            origins of the slices. Throws std::invalid_argument if there
             are fewer than two states. */
-        SliceFrame(path::StateChartPtr chart, path::Waypoints axis,
-                   double reach = std::numeric_limits<double>::infinity());
+        SliceFrame(path::StateChartPtr chart, path::Waypoints axis);
 
         /** \brief m - 1: the number of slices. */
         std::size_t slices() const
@@ -95,7 +91,7 @@ namespace ompl_mfa::engine::fireflies
             the search. */
         std::vector<path::Waypoints> sliceEnds() const;
 
-        /** \brief Smallest coordinates (d): from the bounds of the space and the reach. */
+        /** \brief Smallest coordinates (d): from the bounds of the space. */
         const Eigen::VectorXd &lower() const
         {
             return lower_;
@@ -146,7 +142,7 @@ namespace ompl_mfa::engine::fireflies
         };
 
         Slice makeSlice(std::size_t k, Eigen::Index offset) const;
-        void setBounds(std::size_t k, double reach);
+        void setBounds(std::size_t k);
 
         path::StateChartPtr chart_;
         path::Waypoints axis_;

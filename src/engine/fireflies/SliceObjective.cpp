@@ -63,11 +63,6 @@ namespace ompl_mfa::engine::fireflies
         return changed;
     }
 
-    void SliceObjective::setStride(unsigned int stride)
-    {
-        stride_ = stride;
-    }
-
     bool SliceObjective::toOffsets(const Eigen::Ref<const Eigen::VectorXd> &x, Eigen::Ref<Eigen::VectorXd> offsets)
     {
         if (modes_ == nullptr)
@@ -105,7 +100,7 @@ namespace ompl_mfa::engine::fireflies
         }
         // a rival beyond the present bound is worse than every path within it
         const bool lost = rival != nullptr && !withinBound(rival->cost);
-        const Brightness brightness = evaluator_.evaluate(path_, cost, lost ? nullptr : rival, stride_);
+        const Brightness brightness = evaluator_.evaluate(path_, cost, lost ? nullptr : rival);
         if (brightness.isFeasible())
         {
             validPath_(path_, brightness);

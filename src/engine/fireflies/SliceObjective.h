@@ -70,9 +70,6 @@ namespace ompl_mfa::engine::fireflies
             return bound_;
         }
 
-        /** \brief The stride of PathEvaluator::evaluate; 1 by default. */
-        void setStride(unsigned int stride);
-
         /** \brief The frame's coordinates \e offsets (d) for \e x (d): equal to \e x, or computed from it by the modes.
             False if interrupted. */
         bool toOffsets(const Eigen::Ref<const Eigen::VectorXd> &x, Eigen::Ref<Eigen::VectorXd> offsets);
@@ -93,7 +90,6 @@ namespace ompl_mfa::engine::fireflies
         Eigen::VectorXd coordinates_;
         Eigen::VectorXd scratch_;
         double bound_;
-        unsigned int stride_{1};
         double beyondBound_;  ///< exceeds the violation of any path within the bound
     };
 }  // namespace ompl_mfa::engine::fireflies

@@ -74,12 +74,6 @@ namespace ompl_mfa::engine::fireflies
         /** \brief As SliceObjective::setBound; reorders the fireflies. */
         void setBound(double bound);
 
-        /** \brief The stride of PathEvaluator::evaluate. */
-        void setStride(unsigned int stride)
-        {
-            objective_.setStride(stride);
-        }
-
         /** \brief The path (as SliceFrame::toWaypoints) of firefly \e i, a column of the population. Allocates, so not
             for use in the search. */
         void pathOf(Eigen::Index i, path::Waypoints &path) const;

@@ -385,16 +385,6 @@ namespace ompl_mfa::engine::fireflies
             }
         }
 
-        TEST(SliceFrame, ReachLimitsEveryCoordinate)
-        {
-            const auto space = test::se2Space();
-            const SliceFrame wide = straightFrame(space, {-4.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, 4);
-            const SliceFrame narrow(wide.chart(), wide.axis(), 0.75);
-            EXPECT_GT(wide.upper().maxCoeff(), 5.0);
-            EXPECT_DOUBLE_EQ(narrow.upper().maxCoeff(), 0.75);
-            EXPECT_DOUBLE_EQ(narrow.lower().minCoeff(), -0.75);
-        }
-
         TEST(SliceFrame, AnAxisMayBend)
         {
             Eigen::VectorXd scratch;
