@@ -40,8 +40,6 @@
 #include <utility>
 #include <vector>
 
-#include <boost/math/constants/constants.hpp>
-
 #include "engine/refinement/TightenRounds.h"
 #include "path/PathDeformation.h"
 #include "path/PathWalk.h"
@@ -74,6 +72,8 @@ namespace ompl_mfa::engine::fireflies
         constexpr std::uint64_t LEAST_TREE_WORK = 200;
         /* A bridge may be longer than the gap by this factor, and by SLACK. */
         constexpr double BRIDGE = 1.3;
+        /* Share of the moves in which only some coordinates move. */
+        constexpr double CROSSOVER = 0.5;
         /* Fireflies that eqs. (6) and (7) need. */
         constexpr std::size_t LEAST_FIREFLIES = 4;
     }  // namespace
@@ -252,7 +252,7 @@ namespace ompl_mfa::engine::fireflies
     bool PathSwarm::fly(Move move, path::Waypoints &found)
     {
         path::Waypoints moved(context_.chart->space());
-        displace(move, moved);
+        displace(drawMove(move), moved);
         return bridge(moved, found);
     }
 
@@ -303,80 +303,61 @@ namespace ompl_mfa::engine::fireflies
         return beta0 * std::exp(-settings_.gamma * squared);
     }
 
-    /* Computes where the slices of the window move. Fireflies are vectors of coordinates relative to the one that
-       moves, which is the zero vector. */
-    void PathSwarm::displace(Move move, path::Waypoints &moved)
+    SliceMove PathSwarm::drawMove(Move kind)
     {
         const PathPool &pool = context_.pool;
-        const path::StateChart &chart = *context_.chart;
-        const Eigen::Index d = chart.dimension();
-        const auto size = static_cast<unsigned int>(pool.size());
-        // n1, n2, n3, n4 of eq. (6), pairwise distinct
-        std::array<std::size_t, 4> n{};
-        for (std::size_t i = 0; i < n.size(); ++i)
+        const Eigen::Index d = context_.chart->dimension();
+        SliceMove move;
+        move.equation = kind == Move::Attraction     ? SliceMove::Equation::Attraction
+                        : kind == Move::Mutation     ? SliceMove::Equation::Mutation
+                        : kind == Move::BestMutation ? SliceMove::Equation::BestMutation
+                                                     : SliceMove::Equation::Worst;
+        for (std::size_t i = 0; i < move.others.size(); ++i)
         {
             do
             {
-                n[i] = random_.index(size);
-            } while (std::find(n.begin(), n.begin() + i, n[i]) != n.begin() + i);
+                move.others[i] = random_.index(static_cast<unsigned int>(pool.size()));
+            } while (std::find(move.others.begin(), move.others.begin() + i, move.others[i]) !=
+                     move.others.begin() + i);
         }
-        const std::size_t best = pool.brightest();
-        const std::size_t worst = pool.dimmest();
-        const std::size_t target = brighter(window_.member);
-        const double lambda1 = random_.uniform();
-        const double lambda2 = random_.uniform();
-        const double lambda3 = random_.uniform();
-        const double beta = attraction(target);
-        const double step = alpha() * window_.segment.length();
-        // eqs. (8) to (11): the trial keeps some coordinates of the firefly, the same on all slices
-        const bool crossover = random_.uniform() < 0.5;
-        Eigen::VectorXd mask(d);
-        Eigen::VectorXd direction(d);
+        move.best = pool.brightest();
+        move.worst = pool.dimmest();
+        move.brighter = brighter(window_.member);
+        move.beta = attraction(move.brighter);
+        move.step = alpha() * window_.segment.length();
+        for (double &lambda : move.lambda)
+        {
+            lambda = random_.uniform();
+        }
+        const bool crossover = random_.uniform() < CROSSOVER;
+        move.mask.setOnes(d);
+        move.direction.resize(d);
         for (Eigen::Index j = 0; j < d; ++j)
         {
-            mask[j] = crossover && random_.uniform() < 0.5 ? 0.0 : 1.0;
-            direction[j] = rng_.gaussian01() / std::sqrt(static_cast<double>(d));
+            move.mask[j] = crossover && random_.uniform() < 0.5 ? 0.0 : 1.0;
+            move.direction[j] = rng_.gaussian01() / std::sqrt(static_cast<double>(d));
         }
-        const auto relative = [&](std::size_t member, unsigned int slice)
-        {
-            Eigen::VectorXd x(d);
-            chart.difference(window_.slices[slice], pool[member].slices[slice], x);
-            return x;
-        };
+        return move;
+    }
+
+    /* Computes where the slices of the window move. */
+    void PathSwarm::displace(const SliceMove &move, path::Waypoints &moved) const
+    {
+        const path::StateChart &chart = *context_.chart;
         moved.clear();
         moved.append(window_.segment.front());
         for (unsigned int k = window_.firstSlice; k < window_.lastSlice; ++k)
         {
-            Eigen::VectorXd x(d);
-            switch (move)
+            const auto relative = [&](std::size_t member)
             {
-                case Move::Attraction:
-                {
-                    // eq. (16); the random step is a half wave, as a jagged path would be tightened away
-                    const double phase =
-                        static_cast<double>(k - window_.firstSlice + 1) / (window_.lastSlice - window_.firstSlice + 1);
-                    x = beta * relative(target, k) +
-                        step * std::sin(boost::math::constants::pi<double>() * phase) * direction;
-                    break;
-                }
-                case Move::Worst:
-                    // eq. (12)
-                    x = lambda1 * relative(worst, k) + lambda2 * (relative(best, k) - relative(worst, k));
-                    break;
-                default:
-                    // eq. (6)
-                    x = relative(n[0], k) + lambda1 * (relative(n[1], k) - relative(n[2], k)) +
-                        lambda2 * (relative(n[2], k) - relative(n[3], k));
-                    if (move == Move::BestMutation)
-                    {
-                        // eq. (7)
-                        x += lambda3 * (relative(best, k) - relative(worst, k));
-                    }
-                    break;
-            }
-            x = x.cwiseProduct(mask);
+                Eigen::VectorXd x(chart.dimension());
+                chart.difference(window_.slices[k], context_.pool[member].slices[k], x);
+                return x;
+            };
+            const double phase =
+                static_cast<double>(k - window_.firstSlice + 1) / (window_.lastSlice - window_.firstSlice + 1);
             moved.resize(moved.size() + 1);
-            chart.displace(window_.slices[k], x, moved[moved.size() - 1]);
+            chart.displace(window_.slices[k], move.displacement(relative, phase), moved[moved.size() - 1]);
         }
         moved.append(window_.segment.back());
     }

@@ -45,6 +45,7 @@
 
 #include "engine/SearchPart.h"
 #include "engine/fireflies/LocalTrees.h"
+#include "engine/fireflies/SliceMove.h"
 #include "engine/refinement/PathTightening.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
@@ -113,7 +114,8 @@ namespace ompl_mfa::engine::fireflies
         void cut(double from, double to);
         bool detour(path::Waypoints &found);
         bool fly(Move move, path::Waypoints &found);
-        void displace(Move move, path::Waypoints &moved);
+        SliceMove drawMove(Move kind);
+        void displace(const SliceMove &move, path::Waypoints &moved) const;
         bool bridge(const path::Waypoints &moved, path::Waypoints &found);
         bool tightenSegment(path::Waypoints &found);
         void judge(const path::Waypoints &segment, Findings &findings);
