@@ -32,6 +32,7 @@
  *  POSSIBILITY OF SUCH DAMAGE.
  *********************************************************************/
 
+/* Author: the ompl_mfa authors */
 
 #include <ompl/util/RandomNumbers.h>
 

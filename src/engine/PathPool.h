@@ -32,6 +32,8 @@
  *  POSSIBILITY OF SUCH DAMAGE.
  *********************************************************************/
 
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_ENGINE_PATH_POOL_
 #define OMPL_MFA_ENGINE_PATH_POOL_
 

@@ -32,6 +32,8 @@
  *  POSSIBILITY OF SUCH DAMAGE.
  *********************************************************************/
 
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_PATH_PATH_WALK_
 #define OMPL_MFA_PATH_PATH_WALK_
 

@@ -32,6 +32,8 @@
  *  POSSIBILITY OF SUCH DAMAGE.
  *********************************************************************/
 
+/* Author: the ompl_mfa authors */
+
 #include "engine/fireflies/LocalTrees.h"
 
 #include <algorithm>

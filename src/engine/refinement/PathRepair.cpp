@@ -32,6 +32,8 @@
  *  POSSIBILITY OF SUCH DAMAGE.
  *********************************************************************/
 
+/* Author: the ompl_mfa authors */
+
 #include "engine/refinement/PathRepair.h"
 
 #include <algorithm>

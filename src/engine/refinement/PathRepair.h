@@ -32,6 +32,8 @@
  *  POSSIBILITY OF SUCH DAMAGE.
  *********************************************************************/
 
+/* Author: the ompl_mfa authors */
+
 #ifndef OMPL_MFA_ENGINE_REFINEMENT_PATH_REPAIR_
 #define OMPL_MFA_ENGINE_REFINEMENT_PATH_REPAIR_
 
