@@ -182,10 +182,10 @@ namespace
     void addReportOptions(CLI::App &command, Options &options)
     {
         command.add_option("--runs", options.runs, "file of the runs")->capture_default_str();
-        command.add_option("--clock", options.clock, "what times count: cpu is deaf to other programs")
+        command.add_option("--clock", options.clock, "which time is measured: cpu does not depend on other programs")
             ->check(CLI::IsMember({"cpu", "wall"}))
             ->capture_default_str();
-        command.add_option("--csv", options.csv, "write a row a world and planner to this file");
+        command.add_option("--csv", options.csv, "write one row per world and planner to this file");
         command.add_option("--markdown", options.markdown, "write the tables to this file");
         auto *results = command.add_option("--results", options.results,
                                            "write planners.csv, worlds.csv, summary.csv and curves.csv to this folder");
@@ -220,12 +220,12 @@ namespace
         addReportOptions(*running, options);
         running->add_option("--planners", options.planners, "PLANNER[:KEY=VALUE,...],...; `peers` stands for all peers")
             ->capture_default_str();
-        running->add_option("--seeds", options.seeds, "runs a world and planner")
+        running->add_option("--seeds", options.seeds, "runs per world and planner")
             ->check(CLI::Range(1, 1000000))
             ->capture_default_str();
-        running->add_option("--time", options.time, "seconds a run")->check(CLI::PositiveNumber)->capture_default_str();
-        running->add_option("--jobs", options.jobs, "runs at a time, one a core")->capture_default_str();
-        running->add_flag("--fresh", options.fresh, "forget the runs of the file first");
+        running->add_option("--time", options.time, "seconds per run")->check(CLI::PositiveNumber)->capture_default_str();
+        running->add_option("--jobs", options.jobs, "runs at a time, one per core")->capture_default_str();
+        running->add_flag("--fresh", options.fresh, "discard the runs of the file first");
         running->callback([&options] { run(options); });
         auto *reporting = app.add_subcommand("report", "statistics of the runs made so far");
         addWorldOption(*reporting, options);

@@ -396,8 +396,8 @@ namespace ompl_mfa::benchmark
             rows.add("time_limit",
                      number("a number above 0, at most " + text::numberText(LONGEST_TIME_LIMIT),
                             [](double value) { return value > 0.0 && value <= LONGEST_TIME_LIMIT; }),
-                     &CampaignConfig::timeLimit, "seconds a run");
-            rows.add("mem_limit", positive(), &CampaignConfig::memoryLimit, "megabytes a run");
+                     &CampaignConfig::timeLimit, "seconds per run");
+            rows.add("mem_limit", positive(), &CampaignConfig::memoryLimit, "megabytes per run");
             rows.add("run_count", whole(1000000), &CampaignConfig::runCount, "runs of each planner");
             rows.add({{"output"},
                       "a folder; ~/ at its beginning is the home folder, and no folder may be called ~",
@@ -422,7 +422,7 @@ namespace ompl_mfa::benchmark
                          ", or a 100000th of time_limit where that is more",
                      "seconds between two samples of a planner's progress");
             rows.add({"iteration_limit"}, whole<std::uint64_t>(LARGEST_WHOLE), &CampaignConfig::iterationLimit, "none",
-                     "how often a planner may ask whether to stop before it has to");
+                     "number of evaluations of the termination condition after which a run is stopped");
             return rows.take();
         }();
         return ROWS;
