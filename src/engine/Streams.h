@@ -47,24 +47,24 @@ namespace ompl_mfa::engine
         neither within a run nor in runs with different seeds. */
     enum class Stream : std::uint64_t
     {
-        // of a run
-        Trees,            ///< TreePart
-        Roadmap,          ///< RoadmapPart
-        Tightening,       ///< PathTightening of the best path
-        NewTightening,    ///< PathTightening of new paths
-        DraftTightening,  ///< PathTightening of drafts of new paths
-        BestDraft,        ///< PathTightening of a draft of the best path
-        Repair,           ///< PathRepair
-        PathSwarm,        ///< PathSwarm
-        SwarmTightening,  ///< PathTightening in PathSwarm
-        LocalTrees,       ///< LocalTrees of PathSwarm
-        Swarm,            ///< the swarm on the straight axis with this index
-        Detours,          ///< the detour with this index, for testing the objective's bounds
-        GoalSearch,       ///< the search for states that satisfy a goal
+        // of a run; the numbers are fixed, so that seeded runs of the paper's algorithm are the same in every version
+        Trees = 0,             ///< TreePart
+        Roadmap = 1,           ///< RoadmapPart
+        Tightening = 2,        ///< PathTightening of the best path
+        NewTightening = 3,     ///< PathTightening of new paths
+        Swarm = 6,             ///< the swarm on the straight axis with this index
+        Detours = 7,           ///< the detour with this index, for testing the objective's bounds
+        GoalSearch = 8,        ///< the search for states that satisfy a goal
+        DraftTightening = 11,  ///< PathTightening of drafts of new paths
+        BestDraft = 12,        ///< PathTightening of a draft of the best path
+        Repair = 13,           ///< PathRepair
+        PathSwarm = 14,        ///< PathSwarm
+        SwarmTightening = 15,  ///< PathTightening in PathSwarm
+        LocalTrees = 16,       ///< LocalTrees of PathSwarm
 
         // of a swarm, or of a search for goals
-        Epoch,         ///< the fireflies of the epoch with this index
-        Recombination  ///< fresh states for recombination
+        Epoch = 9,          ///< the fireflies of the epoch with this index
+        Recombination = 10  ///< fresh states for recombination
     };
 
     /** \brief The seed of \e stream, or of its \e index-th instance if there are several. \e seed is that of the run,
