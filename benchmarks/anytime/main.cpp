@@ -223,7 +223,9 @@ namespace
         running->add_option("--seeds", options.seeds, "runs per world and planner")
             ->check(CLI::Range(1, 1000000))
             ->capture_default_str();
-        running->add_option("--time", options.time, "seconds per run")->check(CLI::PositiveNumber)->capture_default_str();
+        running->add_option("--time", options.time, "seconds per run")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
         running->add_option("--jobs", options.jobs, "runs at a time, one per core")->capture_default_str();
         running->add_flag("--fresh", options.fresh, "discard the runs of the file first");
         running->callback([&options] { run(options); });

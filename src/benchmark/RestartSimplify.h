@@ -54,10 +54,10 @@ namespace ompl_mfa::benchmark
         the time is over, each of its paths is simplified by OMPL's PathSimplifier until that finds nothing more, and
         the path of least cost is kept.
 
-        Starts and goals are those that RRT-Connect takes. Every better path is added to the problem and told to its
+        Starts and goals are those that RRT-Connect takes. Every better path is added to the problem and passed to its
         callback for intermediate solutions at once, as RRT-Connect found it and again when it is simplified; paths that
         fail check() after their simplification are dropped. The objective is the problem's, or path length if it has
-        none; solve() returns early when it is satisfied. The condition is not looked at within an operation of the
+        none; solve() returns early when it is satisfied. The condition is not evaluated within an operation of the
         simplification, so that solve() may return late by as much.
 
         A further solve() keeps the best path and goes on with trees that were not joined yet; another query in the same

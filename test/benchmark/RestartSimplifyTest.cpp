@@ -138,7 +138,7 @@ namespace ompl_mfa::benchmark
             EXPECT_EQ(progress("best cost REAL"), "inf");
             solve();
             EXPECT_TRUE(endsRight);
-            EXPECT_TRUE(known) << "a cost was told before its path was a solution of the problem";
+            EXPECT_TRUE(known) << "a cost was reported before its path was a solution of the problem";
             ASSERT_GT(costs.size(), 1U);
             for (std::size_t i = 1; i < costs.size(); ++i)
             {

@@ -66,7 +66,7 @@ namespace ompl_mfa::engine::fireflies
     Share FireflyPart::improvementShare(double seconds) const
     {
         const double weight = 0.08 + 0.14 * std::max(0.0, 1.0 - roadmapFactor(*context().chart));
-        return {weight, weight, (swarms_->options().pool ? PathSwarm::DELAY : Swarms::DELAY) * seconds};
+        return {weight, weight, Swarms::DELAY * seconds};
     }
 
     Readiness FireflyPart::readiness() const
@@ -102,7 +102,7 @@ namespace ompl_mfa::engine::fireflies
         }
         if (swarms_->fly(work))
         {
-            swarms_->endGeneration();
+            swarms_->chooseNext();
         }
         proposeFirefly(findings);
     }

@@ -64,9 +64,6 @@ namespace ompl_mfa::engine::fireflies
     class PathSwarm
     {
     public:
-        /** \brief The fireflies begin after this many times the time that the first path took. */
-        static constexpr double DELAY = 10.0;
-
         /** \brief \e context must outlive the object. */
         PathSwarm(const SearchContext &context, const FireflyOptimizer::Settings &settings);
 

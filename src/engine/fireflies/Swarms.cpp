@@ -73,7 +73,7 @@ namespace ompl_mfa::engine::fireflies
         // none yet if the stop condition left no time to make one
         if (active_ == nullptr)
         {
-            choose();
+            chooseNext();
         }
         return active_;
     }
@@ -88,7 +88,7 @@ namespace ompl_mfa::engine::fireflies
         return options_.guided && !context_.incumbent.hasFinitePath() && context_.evaluator().checks() < FIRST_GUIDES;
     }
 
-    void Swarms::choose()
+    void Swarms::chooseNext()
     {
         layStraight();
         active_ =
@@ -139,11 +139,6 @@ namespace ompl_mfa::engine::fireflies
             ++context_.progress.iterations;
         }
         return completed;
-    }
-
-    void Swarms::endGeneration()
-    {
-        choose();
     }
 
     void Swarms::keepFirefly(const path::Waypoints &path, double cost)

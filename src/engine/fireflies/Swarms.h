@@ -97,7 +97,7 @@ namespace ompl_mfa::engine::fireflies
         bool fly(std::uint64_t work);
 
         /** \brief To be called after a generation: the next swarm becomes active. */
-        void endGeneration();
+        void chooseNext();
 
         /** \brief The best valid firefly over a straight axis since the last call, with its cost, or nothing. */
         std::optional<Proposal> takeFirefly();
@@ -109,7 +109,6 @@ namespace ompl_mfa::engine::fireflies
         void explain(SearchGraph &graph) const;
 
     private:
-        void choose();
         void layStraight();
         void keepFirefly(const path::Waypoints &path, double cost);
 

@@ -462,8 +462,12 @@ namespace ompl_mfa::engine::refinement
         const int j = rng_.uniformInt(i + 3, last);
         const auto first = static_cast<std::size_t>(i);
         const auto count = static_cast<std::size_t>(j - i);
-        Eigen::VectorXd mask(chart_->dimension());
-        selectCoordinates(mask);
+        Eigen::VectorXd mask;
+        if (!selectCoordinates(mask))
+        {
+            mask.setZero();
+            mask[rng_.uniformInt(0, static_cast<int>(mask.size()) - 1)] = 1.0;
+        }
         const double part = rng_.uniform01() < 0.5 ? 1.0 : rng_.uniform01();
         double length = 0.0;
         for (std::size_t k = first; k < first + count; ++k)
@@ -491,34 +495,34 @@ namespace ompl_mfa::engine::refinement
         return replaceSegment(first);
     }
 
-    /* One coordinate, half of them, all but one, or those of one subspace. */
-    void PathTightening::selectCoordinates(Eigen::VectorXd &mask)
+    /* Sets \e mask to 1 for the coordinates of one subspace, for all but one, or for half of them; false, with all of
+       them, in the remaining quarter of the draws. */
+    bool PathTightening::selectCoordinates(Eigen::VectorXd &mask)
     {
-        const auto d = static_cast<int>(mask.size());
+        const auto pick = [this](Eigen::Index size)
+        { return static_cast<Eigen::Index>(rng_.uniformInt(0, static_cast<int>(size) - 1)); };
+        mask.setOnes(chart_->dimension());
         switch (rng_.uniformInt(chart_->leaves() > 1 ? 0 : 1, 3))
         {
             case 0:
             {
-                const auto [offset, dimension] = chart_->leafRange(
-                    static_cast<std::size_t>(rng_.uniformInt(0, static_cast<int>(chart_->leaves()) - 1)));
+                const auto [offset, dimension] =
+                    chart_->leafRange(static_cast<std::size_t>(pick(static_cast<Eigen::Index>(chart_->leaves()))));
                 mask.setZero();
                 mask.segment(offset, dimension).setOnes();
-                break;
+                return true;
             }
             case 1:
-                mask.setOnes();
-                mask[rng_.uniformInt(0, d - 1)] = 0.0;
-                break;
+                mask[pick(mask.size())] = 0.0;
+                return true;
             case 2:
                 for (Eigen::Index j = 0; j < mask.size(); ++j)
                 {
                     mask[j] = rng_.uniform01() < 0.5 ? 0.0 : 1.0;
                 }
-                break;
+                return true;
             default:
-                mask.setZero();
-                mask[rng_.uniformInt(0, d - 1)] = 1.0;
-                break;
+                return false;
         }
     }
 
@@ -661,38 +665,16 @@ namespace ompl_mfa::engine::refinement
        unneeded rotation unwinds while the position stays. */
     void PathTightening::selectPart(Step &step)
     {
-        const Eigen::Index d = chart_->dimension();
-        const auto pick = [this](Eigen::Index size)
-        { return static_cast<Eigen::Index>(rng_.uniformInt(0, static_cast<int>(size) - 1)); };
-        step.mask.setOnes(d);
-        step.normal.setZero(d);
-        switch (rng_.uniformInt(chart_->leaves() > 1 ? 0 : 1, 3))
+        step.normal.setZero(chart_->dimension());
+        if (selectCoordinates(step.mask))
         {
-            case 0:
-            {
-                const auto [offset, dimension] =
-                    chart_->leafRange(static_cast<std::size_t>(pick(static_cast<Eigen::Index>(chart_->leaves()))));
-                step.mask.setZero();
-                step.mask.segment(offset, dimension).setOnes();
-                break;
-            }
-            case 1:
-                step.mask[pick(d)] = 0.0;
-                break;
-            case 2:
-                for (Eigen::Index j = 0; j < d; ++j)
-                {
-                    step.mask[j] = rng_.uniform01() < 0.5 ? 0.0 : 1.0;
-                }
-                break;
-            default:
-                for (Eigen::Index j = 0; j < d; ++j)
-                {
-                    step.normal[j] = rng_.gaussian01();
-                }
-                step.normal.normalize();
-                break;
+            return;
         }
+        for (Eigen::Index j = 0; j < step.normal.size(); ++j)
+        {
+            step.normal[j] = rng_.gaussian01();
+        }
+        step.normal.normalize();
     }
 
     bool PathTightening::pullPart(std::size_t i)

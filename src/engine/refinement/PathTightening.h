@@ -141,7 +141,7 @@ namespace ompl_mfa::engine::refinement
         bool bend(std::size_t i);
         bool shortcut();
         bool partShortcut();
-        void selectCoordinates(Eigen::VectorXd &mask);
+        bool selectCoordinates(Eigen::VectorXd &mask);
         bool replaceSegment(std::size_t first);
         bool checkShortcut(const ompl::base::State *before, const ompl::base::State *after);
         void removeVertices();
