@@ -72,7 +72,7 @@ namespace ompl_mfa::engine
         {
             fireflies::Swarms::Options options;
             options.guided = list.guided;
-            options.pool = context.settings.tightening;
+            options.pool = context.settings.usesPool();
             options.fireflies = fireflySettings(context.settings, POPULATION);
             list.swarms = std::make_shared<fireflies::Swarms>(context, options);
             list.parts.push_back(std::make_unique<fireflies::FireflyPart>(context, list.swarms));

@@ -95,7 +95,7 @@ namespace ompl_mfa::engine
 
     void PathPool::add(const path::Waypoints &path, double cost, bool valid, double best)
     {
-        if (path.size() < 3 || isBetter(evaluator_.withSlack(best, SLACK), cost))
+        if (capacity_ == 0 || path.size() < 3 || isBetter(evaluator_.withSlack(best, SLACK), cost))
         {
             return;
         }

@@ -64,7 +64,7 @@ namespace ompl_mfa::engine
             path::Waypoints slices;  ///< the states on the slices
         };
 
-        /** \brief Keeps up to \e capacity >= 1 paths. \e evaluator must outlive the object. */
+        /** \brief Keeps up to \e capacity paths; none if that is 0. \e evaluator must outlive the object. */
         PathPool(std::size_t capacity, path::StateChartPtr chart, const path::PathEvaluator &evaluator);
 
         /** \brief Adds \e path of cost \e cost, if it is no worse than SLACK times \e best. It replaces a member that

@@ -48,6 +48,15 @@ namespace ompl_mfa::engine
         /* Greatest stride of a draft, and the least number of states at which it checks the best path. */
         constexpr std::uint64_t MAX_STRIDE = 8;
         constexpr std::uint64_t LEAST_STATES = 48;
+
+        std::size_t poolCapacity(const SearchSettings &settings)
+        {
+            if (!settings.usesPool())
+            {
+                return 0;
+            }
+            return settings.populationSize != 0 ? settings.populationSize : POOL_CAPACITY;
+        }
     }  // namespace
 
     SearchContext::SearchContext(const ompl::base::Planner &planner, path::StateChartPtr stateChart,
@@ -61,7 +70,7 @@ namespace ompl_mfa::engine
       , progress(shown)
       , query(planner.getSpaceInformation()->getStateSpace())
       , incumbent(objective, planner.getSpaceInformation()->getStateSpace(), shown.bestCost)
-      , pool(settings.populationSize != 0 ? settings.populationSize : POOL_CAPACITY, chart, *evaluator_)
+      , pool(poolCapacity(settings), chart, *evaluator_)
     {
         query.ask(*planner.getProblemDefinition());
     }

@@ -71,6 +71,12 @@ namespace ompl_mfa::engine
             return guide == "roadmap" || guide == "both";
         }
 
+        /** \brief Whether the pool of good paths is the swarm's population once there is a path. */
+        bool usesPool() const
+        {
+            return fireflies && tightening;
+        }
+
         /** \brief Whether the fireflies are the only part, as in the paper's algorithm (a guide planner aside). */
         bool isPaper() const
         {
