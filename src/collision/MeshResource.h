@@ -41,6 +41,8 @@
 #include <string>
 #include <vector>
 
+#include "ompl_mfa/Export.h"
+
 namespace ompl_mfa::collision
 {
     using Folders = std::vector<std::filesystem::path>;
@@ -49,7 +51,7 @@ namespace ompl_mfa::collision
 
         File names and packages are searched in `folders`, in their order; a folder may be the package itself.
         \throw InputError listing the places searched, or naming an unknown scheme. */
-    std::filesystem::path findMeshResource(const std::string &resource, const Folders &folders);
+    OMPL_MFA_EXPORT std::filesystem::path findMeshResource(const std::string &resource, const Folders &folders);
 }  // namespace ompl_mfa::collision
 
 #endif

@@ -227,6 +227,11 @@ namespace ompl_mfa::collision
         return object == objects_.end() ? nullptr : &*object;
     }
 
+    const MoveItWorld::Object *MoveItWorld::object(const std::string &id) const
+    {
+        return const_cast<MoveItWorld *>(this)->find(id);
+    }
+
     std::string withoutSlash(const std::string &frame)
     {
         return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;

@@ -132,6 +132,9 @@ namespace ompl_mfa::collision
             \return whether there is one of this name. */
         bool remove(const std::string &id);
 
+        /** \brief The object of this name; null if there is none. */
+        const Object *object(const std::string &id) const;
+
         /** \brief Pose of an object (by its name) or of a subframe (`object/subframe`) in the planning frame. */
         std::optional<fcl::Transform3d> findFrame(const std::string &name) const;
 

@@ -42,6 +42,7 @@
 #include <fcl/geometry/collision_geometry.h>
 
 #include "collision/ConvexDistance.h"
+#include "ompl_mfa/Export.h"
 
 namespace ompl_mfa::collision
 {
@@ -75,7 +76,8 @@ namespace ompl_mfa::collision
 
     /** \brief The functions for a pair. Primitives, meshes and occupancy maps may be combined in any order.
         \throw std::invalid_argument if FCL's geometry is of another kind. */
-    const PairFunctions &pairFunctions(const fcl::CollisionGeometryd &a, const fcl::CollisionGeometryd &b);
+    OMPL_MFA_EXPORT const PairFunctions &pairFunctions(const fcl::CollisionGeometryd &a,
+                                                       const fcl::CollisionGeometryd &b);
 }  // namespace ompl_mfa::collision
 
 #endif

@@ -39,6 +39,8 @@
 
 #include <fcl/geometry/collision_geometry.h>
 
+#include "ompl_mfa/Export.h"
+
 namespace ompl_mfa::collision
 {
     /** \brief Upper bounds on how far a shape extends from the origin of a frame; exact for balls, boxes and meshes. */
@@ -56,7 +58,7 @@ namespace ompl_mfa::collision
     };
 
     /** \param pose of the shape in the frame. */
-    ShapeReach shapeReach(const fcl::CollisionGeometryd &geometry, const fcl::Transform3d &pose);
+    OMPL_MFA_EXPORT ShapeReach shapeReach(const fcl::CollisionGeometryd &geometry, const fcl::Transform3d &pose);
 }  // namespace ompl_mfa::collision
 
 #endif

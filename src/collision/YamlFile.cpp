@@ -58,8 +58,9 @@ namespace ompl_mfa::collision
         }
     }  // namespace
 
-    YamlFile::YamlFile(std::filesystem::path file)
+    YamlFile::YamlFile(std::filesystem::path file, std::string what)
       : file_(std::move(file))
+      , what_(std::move(what))
     {
     }
 
@@ -78,7 +79,7 @@ namespace ompl_mfa::collision
         }
         catch (const YAML::BadFile &)
         {
-            throw InputError(file_.string() + ": planning scene not found or not readable");
+            throw InputError(file_.string() + ": " + what_ + " not found or not readable");
         }
         catch (const YAML::ParserException &error)
         {
@@ -86,7 +87,7 @@ namespace ompl_mfa::collision
         }
         if (messages.empty())
         {
-            throw InputError(file_.string() + ": planning scene is empty; it needs world.collision_objects");
+            throw InputError(file_.string() + ": " + what_ + " is empty");
         }
         if (messages.size() > 1)
         {

@@ -46,17 +46,20 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "ompl_mfa/Export.h"
+
 namespace ompl_mfa::collision
 {
     /** \brief A YAML file with one message, and checked access to its fields. Errors are InputErrors that name the
         file, the line and the key. */
-    class YamlFile
+    class OMPL_MFA_EXPORT YamlFile
     {
     public:
         using Names = std::set<std::string>;
 
-        /** \param file file of the message; not read yet. */
-        explicit YamlFile(std::filesystem::path file);
+        /** \param file file of the message; not read yet.
+            \param what what the file should be, for errors. */
+        explicit YamlFile(std::filesystem::path file, std::string what = "planning scene");
 
         /** \brief The message. Document separators (`---`) may precede and follow it. Throws if there is no message or
             more than one. */
@@ -75,6 +78,12 @@ namespace ompl_mfa::collision
 
         /** \brief Whether the map has a value for this key. */
         static bool has(const YAML::Node &map, const std::string &key);
+
+        /** \brief The value of a key; an empty map if there is none. */
+        static YAML::Node optional(const YAML::Node &map, const std::string &key)
+        {
+            return has(map, key) ? map[key] : YAML::Node(YAML::NodeType::Map);
+        }
 
         /** \brief The value of a required key. */
         YAML::Node required(const YAML::Node &map, const std::string &key) const;
@@ -120,6 +129,7 @@ namespace ompl_mfa::collision
         std::string place(const YAML::Mark &mark) const;
 
         std::filesystem::path file_;
+        std::string what_;
     };
 }  // namespace ompl_mfa::collision
 
