@@ -39,6 +39,7 @@
 #include <memory>
 #include <sstream>
 
+#include "benchmark/ArmConfig.h"
 #include "benchmark/FileNames.h"
 #include "ompl_mfa/benchmark/Campaign.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
@@ -55,10 +56,18 @@ namespace ompl_mfa::benchmark
         }
 
         /* The texts of the config, the world and the robot, so that a campaign with a changed mesh counts as a
-           different one. */
+           different one (the meshes of an arm, which its URDF file names, are not included). */
         std::string identityOf(const BenchmarkConfig &config)
         {
             std::string identity = fileText(config.file);
+            if (config.problem.robotKind == RobotKind::Arm)
+            {
+                for (const std::filesystem::path &file : armFiles(config))
+                {
+                    identity += fileText(file);
+                }
+                return identity;
+            }
             if (config.problem.world)
             {
                 identity += fileText(findResource(config, *config.problem.world));

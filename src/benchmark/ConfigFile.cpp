@@ -44,6 +44,7 @@
 
 #include <boost/algorithm/string.hpp>
 
+#include "benchmark/ArmConfig.h"
 #include "benchmark/ConfigKeys.h"
 #include "benchmark/FileNames.h"
 #include "benchmark/ProblemSpace.h"
@@ -293,6 +294,13 @@ namespace ompl_mfa::benchmark
                     const ConfigEntry name{"problem.name", config_.file.stem().string(), config_.file.string()};
                     setValue(problemRows(), "name", name, config_.problem);
                 }
+                checkArmKeys(problem_, config_.problem);
+                if (config_.problem.robotKind == RobotKind::Arm)
+                {
+                    config_.problem.space = StateSpaceKind::Joints;
+                    checkObjective();
+                    return;
+                }
                 checkPose("start", config_.problem.start);
                 checkPose("goal", config_.problem.goal);
                 checkSpace();
@@ -381,8 +389,9 @@ namespace ompl_mfa::benchmark
                 const ConfigEntry *robot = find(problem_, "robot");
                 if (!robot)
                 {
-                    throw InputError(config_.file.string() +
-                                     ": problem.robot is missing; give a mesh or scene file, point, disc or sphere");
+                    throw InputError(
+                        config_.file.string() +
+                        ": problem.robot is missing; give a mesh, scene or .urdf file, point, disc or sphere");
                 }
                 const bool isRound = kind == RobotKind::Disc || kind == RobotKind::Sphere;
                 const ConfigEntry *radius = find(problem_, "robot.radius");

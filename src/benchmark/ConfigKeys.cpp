@@ -44,6 +44,7 @@
 
 #include <boost/algorithm/string/join.hpp>
 
+#include "benchmark/ArmConfig.h"
 #include "benchmark/FileNames.h"
 #include "text/NumberText.h"
 
@@ -255,7 +256,7 @@ namespace ompl_mfa::benchmark
         ConfigRow<ProblemConfig> robotRow()
         {
             return {{"robot"},
-                    "a mesh or planning scene, or one of point, disc, sphere",
+                    "a mesh or planning scene, a .urdf file, or one of point, disc, sphere",
                     "required",
                     "what moves",
                     [](ProblemConfig &problem, std::size_t, const ConfigEntry &entry)
@@ -264,6 +265,7 @@ namespace ompl_mfa::benchmark
                         problem.robotKind = entry.value == "point"    ? RobotKind::Point
                                             : entry.value == "disc"   ? RobotKind::Disc
                                             : entry.value == "sphere" ? RobotKind::Sphere
+                                            : isArmFile(entry.value)  ? RobotKind::Arm
                                                                       : RobotKind::File;
                     }};
         }
@@ -338,6 +340,10 @@ namespace ompl_mfa::benchmark
             rows.add(robotRow());
             rows.add({"robot.radius"}, positive(), &ProblemConfig::robotRadius, "required for these",
                      "radius of a disc or sphere");
+            for (const ConfigRow<ProblemConfig> &row : armRows())
+            {
+                rows.add(row);
+            }
             addGeometry(rows);
             addObjective(rows);
             rows.add({"motion_validation"},

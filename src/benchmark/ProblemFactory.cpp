@@ -46,6 +46,7 @@
 #include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "benchmark/ArmConfig.h"
 #include "benchmark/ConfigKeys.h"
 #include "benchmark/NearbyState.h"
 #include "benchmark/ObjectiveFactory.h"
@@ -340,16 +341,44 @@ namespace ompl_mfa::benchmark
 
     ProblemFactory::ProblemFactory(BenchmarkConfig config)
       : config_(std::move(config))
-      , world_(loadWorld(config_))
-      , robot_(loadRobotOf(config_))
     {
+        if (config_.problem.robotKind == RobotKind::Arm)
+        {
+            arm_ = loadArm(config_);
+            world_ = {arm_, &arm_->robot().scene->world};
+            return;
+        }
+        world_ = loadWorld(config_);
+        robot_ = loadRobotOf(config_);
         boundsOf(config_, *world_);
+    }
+
+    og::SimpleSetupPtr ProblemFactory::createArm(const ContextConfig &context) const
+    {
+        const robots::JointSpace joints = arm_->makeSpace();
+        setResolution(*joints.space(), context);
+        auto setup = makeArmSetup(*arm_, joints, config_.problem, context);
+        const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+        if (const auto objective = makeObjective(si, config_.problem))
+        {
+            setup->setOptimizationObjective(objective);
+        }
+        si->setup();
+        setProjection(*joints.space(), context);
+        setSampler(si, context);
+        si->setup();
+        arm_->setStartAndGoal(*setup, joints, config_.problem.threshold);
+        return setup;
     }
 
     og::SimpleSetupPtr ProblemFactory::create(const ContextConfig &plannerContext) const
     {
         const ProblemConfig &problem = config_.problem;
         const ContextConfig context = overridden(problem.context, plannerContext);
+        if (arm_)
+        {
+            return createArm(context);
+        }
         const ob::RealVectorBounds bounds = boundsOf(config_, *world_);
         const ob::StateSpacePtr space = makeStateSpace(problem, bounds);
         space->setName(spaceName(problem.space));
@@ -357,7 +386,7 @@ namespace ompl_mfa::benchmark
 
         auto setup = std::make_shared<og::SimpleSetup>(space);
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
-        checkCollisions(si, problem, world_, robot_);
+        checkCollisions(si, problem, world_, *robot_);
         if (const auto objective = makeObjective(si, problem))
         {
             setup->setOptimizationObjective(objective);

@@ -37,6 +37,7 @@
 #include "benchmark/ProblemSpace.h"
 
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 #include <ompl/base/spaces/DubinsStateSpace.h>
@@ -85,8 +86,8 @@ namespace ompl_mfa::benchmark
 
     std::string spaceName(StateSpaceKind kind)
     {
-        static const char *const NAMES[] = {"R^2",        "R^3", "SE(2)", "SE(3)", "Dubins", "symmetric Dubins",
-                                            "Reeds-Shepp"};
+        static const char *const NAMES[] = {"R^2",         "R^3",   "SE(2)", "SE(3)", "Dubins", "symmetric Dubins",
+                                            "Reeds-Shepp", "joints"};
         return NAMES[static_cast<std::size_t>(kind)];
     }
 
@@ -111,6 +112,8 @@ namespace ompl_mfa::benchmark
             case StateSpaceKind::SE3:
                 space = bounded(std::make_shared<ob::SE3StateSpace>(), bounds);
                 break;
+            case StateSpaceKind::Joints:
+                throw std::invalid_argument("makeStateSpace: an arm makes its own space");
         }
         if (problem.rotationWeight)
         {

@@ -54,7 +54,7 @@ namespace ompl_mfa::benchmark
     /** \brief Display name of \e kind, such as `SE(2)`. */
     OMPL_MFA_EXPORT std::string spaceName(StateSpaceKind kind);
 
-    /** \brief The state space of \e problem with \e bounds for its positions. */
+    /** \brief The state space of \e problem, not one of an arm, with \e bounds for its positions. */
     OMPL_MFA_EXPORT ompl::base::StateSpacePtr makeStateSpace(const ProblemConfig &problem,
                                                              const ompl::base::RealVectorBounds &bounds);
 

@@ -46,11 +46,13 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
 
 #include "benchmark/ProblemSpace.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
+#include "cli/RobotOptions.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
@@ -73,6 +75,7 @@ namespace ompl_mfa::cli
         struct Options
         {
             std::string file;
+            RobotOptions robot;
             bool json{false};
         };
 
@@ -89,7 +92,9 @@ namespace ompl_mfa::cli
         {
             const auto &si = setup.getSpaceInformation();
             const ob::State *start = setup.getProblemDefinition()->getStartState(0);
-            const ob::State *goal = setup.getGoal()->as<ob::GoalState>()->getState();
+            ob::ScopedState<> goalState(setup.getStateSpace());
+            setup.getGoal()->as<ob::GoalSampleableRegion>()->sampleGoal(goalState.get());
+            const ob::State *goal = goalState.get();
             std::pair<ob::State *, double> lastValid(nullptr, 0.0);
             StraightMotion motion;
             motion.free = si->checkMotion(start, goal, lastValid);
@@ -164,6 +169,10 @@ namespace ompl_mfa::cli
         /** \brief A planar robot moves at z = 0 and does not collide with a world at other heights. */
         std::vector<std::string> warnings(const ProblemFactory &factory)
         {
+            if (factory.arm() != nullptr)
+            {
+                return {};
+            }
             const benchmark::ProblemConfig &problem = factory.config().problem;
             const auto &objects = factory.world().objects();
             const fcl::AABBd robot = factory.robot().bounds();
@@ -184,6 +193,27 @@ namespace ompl_mfa::cli
                     " to " + number(world.max_[2])};
         }
 
+        nlohmann::json describeBody(const collision::RigidBody &robot)
+        {
+            return {{"robot_radius", robot.radius()},
+                    {"robot_box", describeBox(robot.bounds())},
+                    {"robot_skipped_faces", robot.skippedFaces()}};
+        }
+
+        nlohmann::json describeArm(const robots::RobotProblem &arm)
+        {
+            nlohmann::json joints = nlohmann::json::array();
+            for (const std::size_t joint : arm.robot().group)
+            {
+                joints.push_back(arm.robot().model->joints()[joint].name);
+            }
+            return {{"group", arm.groupName()},
+                    {"joints", joints},
+                    {"attached_objects", arm.robot().scene->attached.size()},
+                    {"checked_link_pairs", arm.collision().checkedPairs().size()},
+                    {"checked_obstacle_pairs", arm.collision().checkedObstacles().size()}};
+        }
+
         nlohmann::json describe(const ProblemFactory &factory, const ompl::geometric::SimpleSetup &setup)
         {
             const BenchmarkConfig &config = factory.config();
@@ -193,24 +223,24 @@ namespace ompl_mfa::cli
             {
                 planners.push_back({{"type", spec.type}, {"name", spec.name}});
             }
-            return {{"problem", config.problem.name},
-                    {"space", benchmark::spaceName(config.problem.space)},
-                    {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
-                    {"obstacles", factory.world().objects().size()},
-                    {"robot", config.problem.robot.value},
-                    {"world_box",
-                     factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds())},
-                    {"robot_radius", factory.robot().radius()},
-                    {"robot_box", describeBox(factory.robot().bounds())},
-                    {"world_skipped_faces", factory.world().skippedFaces()},
-                    {"robot_skipped_faces", factory.robot().skippedFaces()},
-                    {"state_check_time", stateCheckTime(*setup.getSpaceInformation())},
-                    {"warnings", warnings(factory)},
-                    {"start_valid", true},
-                    {"goal_valid", true},
-                    {"straight_motion",
-                     {{"free", motion.free}, {"free_fraction", motion.freeFraction}, {"length", motion.length}}},
-                    {"planners", planners}};
+            nlohmann::json description = {
+                {"problem", config.problem.name},
+                {"space", benchmark::spaceName(config.problem.space)},
+                {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
+                {"obstacles", factory.world().objects().size()},
+                {"robot", config.problem.robot.value},
+                {"world_box",
+                 factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds())},
+                {"world_skipped_faces", factory.world().skippedFaces()},
+                {"state_check_time", stateCheckTime(*setup.getSpaceInformation())},
+                {"warnings", warnings(factory)},
+                {"start_valid", true},
+                {"goal_valid", true},
+                {"straight_motion",
+                 {{"free", motion.free}, {"free_fraction", motion.freeFraction}, {"length", motion.length}}},
+                {"planners", planners}};
+            description.update(factory.arm() != nullptr ? describeArm(*factory.arm()) : describeBody(factory.robot()));
+            return description;
         }
 
         std::string boxText(const nlohmann::json &box)
@@ -228,6 +258,24 @@ namespace ompl_mfa::cli
             return faces == 0 ? "" : ", " + std::to_string(faces.get<std::size_t>()) + " points and lines passed over";
         }
 
+        /* The rest of the line of the robot, and further lines about it. */
+        std::string robotText(const nlohmann::json &description)
+        {
+            if (!description.contains("joints"))
+            {
+                return ", radius " + text::numberText(description["robot_radius"].get<double>(), DIGITS) +
+                       skippedText(description["robot_skipped_faces"]) + "\nrobot box  " +
+                       boxText(description["robot_box"]) + "\n";
+            }
+            const auto number = [&description](const char *key)
+            { return std::to_string(description[key].get<std::size_t>()); };
+            const std::string group = description["group"].get<std::string>();
+            return ", " + std::to_string(description["joints"].size()) + " joints" +
+                   (group.empty() ? "" : " of the group " + oneLine(group)) + "\nchecked    " +
+                   number("checked_link_pairs") + " pairs of links, " + number("checked_obstacle_pairs") +
+                   " of links and obstacles; " + number("attached_objects") + " attached objects\n";
+        }
+
         void printText(const nlohmann::json &description)
         {
             const auto &motion = description["straight_motion"];
@@ -240,10 +288,7 @@ namespace ompl_mfa::cli
                       << ", " << description["obstacles"] << " obstacles"
                       << skippedText(description["world_skipped_faces"]) << "\n"
                       << "world box  " << boxText(description["world_box"]) << "\n"
-                      << "robot      " << oneLine(description["robot"].get<std::string>()) << ", radius "
-                      << description["robot_radius"].get<double>() << skippedText(description["robot_skipped_faces"])
-                      << "\n"
-                      << "robot box  " << boxText(description["robot_box"]) << "\n"
+                      << "robot      " << oneLine(description["robot"].get<std::string>()) << robotText(description)
                       << "start      valid\n"
                       << "goal       valid\n"
                       << "straight   ";
@@ -265,7 +310,7 @@ namespace ompl_mfa::cli
 
         void check(const Options &options)
         {
-            const ProblemFactory factory(benchmark::readBenchmarkConfig(options.file));
+            const ProblemFactory factory(readProblem(options.file, options.robot));
             benchmark::setRandomSeed(factory.config().benchmark.seed);
             const auto setup = factory.create();
             checkPlanners(factory);
@@ -289,7 +334,8 @@ namespace ompl_mfa::cli
     {
         const auto options = std::make_shared<Options>();
         auto *command = app.add_subcommand("check", "Validate a benchmark config without running it");
-        command->add_option("FILE", options->file, "A .cfg file")->required();
+        command->add_option("FILE", options->file, "A .cfg file; not with --robot");
+        addRobotOptions(*command, options->robot);
         command->add_flag("--json", options->json, "Print one JSON document");
         command->callback([options] { check(*options); });
     }

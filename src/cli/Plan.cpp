@@ -60,6 +60,7 @@
 #include "cli/JsonDocument.h"
 #include "cli/NumberOption.h"
 #include "cli/ProblemPicture.h"
+#include "cli/RobotOptions.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
@@ -82,6 +83,7 @@ namespace ompl_mfa::cli
         struct Options
         {
             std::string file;
+            RobotOptions robot;
             std::string planner{"mfa"};
             double time{0.0};
             std::uint32_t seed{0};
@@ -349,7 +351,7 @@ namespace ompl_mfa::cli
 
         void plan(Options options, bool timeGiven, bool seedGiven)
         {
-            const ProblemFactory factory(benchmark::readBenchmarkConfig(options.file));
+            const ProblemFactory factory(readProblem(options.file, options.robot));
             const benchmark::CampaignConfig &benchmark = factory.config().benchmark;
             if (!seedGiven)
             {
@@ -368,6 +370,10 @@ namespace ompl_mfa::cli
             if (!options.picture.empty())
             {
                 pictureFormat(options.picture);
+                if (factory.arm() != nullptr)
+                {
+                    throw InputError("--picture " + options.picture + ": there are no pictures of arms");
+                }
             }
             requireWritable("--picture", options.picture);
             requireWritable("--path", options.path);
@@ -406,8 +412,9 @@ namespace ompl_mfa::cli
     void addPlanCommand(CLI::App &app)
     {
         const auto options = std::make_shared<Options>();
-        auto *command = app.add_subcommand("plan", "Solve the problem of a benchmark config once");
-        command->add_option("FILE", options->file, "A .cfg file")->required();
+        auto *command = app.add_subcommand("plan", "Solve the problem of a benchmark config, or of a robot arm, once");
+        command->add_option("FILE", options->file, "A .cfg file; not with --robot");
+        addRobotOptions(*command, options->robot);
         command
             ->add_option("--planner", options->planner,
                          "Name or type of a planner of the config, which keeps its parameters there, or any other type")

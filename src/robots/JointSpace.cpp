@@ -86,6 +86,38 @@ namespace ompl_mfa::robots
             }
         };
 
+        // The first joints, which move most of the robot. OMPL has no projection for compounds, and its projection of
+        // spaces of one or two dimensions aborts in 1.5.2.
+        class FirstJoints : public ob::ProjectionEvaluator
+        {
+        public:
+            FirstJoints(const ob::StateSpace *space, const JointSpace &joints, const std::vector<double> &cells)
+              : ob::ProjectionEvaluator(space)
+              , joints_(joints)
+            {
+                setCellSizes(cells);
+            }
+
+            unsigned int getDimension() const override
+            {
+                return static_cast<unsigned int>(cellSizes_.size());
+            }
+
+            void project(const ob::State *state, Eigen::Ref<Eigen::VectorXd> projection) const override
+            {
+                std::vector<double> buffer(joints_.dimension());
+                const double *values = joints_.values(state, buffer.data());
+                std::copy(values, values + getDimension(), projection.data());
+            }
+
+        private:
+            JointSpace joints_;
+        };
+
+        constexpr std::size_t LARGEST_PROJECTION = 3;
+        constexpr double CELLS = 20.;
+        constexpr double PI = 3.141592653589793;
+
         std::shared_ptr<ob::RealVectorStateSpace> realSpace(const std::vector<const Joint *> &joints)
         {
             auto space = std::make_shared<ob::RealVectorStateSpace>();
@@ -139,6 +171,18 @@ namespace ompl_mfa::robots
             space_ = compound;
         }
         space_->setName("joints of " + model.name());
+        if (isCompound_ || joints.size() < LARGEST_PROJECTION)
+        {
+            std::vector<double> cells;
+            for (std::size_t i = 0; i < std::min(joints.size(), LARGEST_PROJECTION); ++i)
+            {
+                cells.push_back((std::min(joints[i]->upper, PI) - std::max(joints[i]->lower, -PI)) / CELLS);
+            }
+            JointSpace view = *this;
+            // Owned by the space, so it must not own the space.
+            view.space_.reset();
+            space_->registerDefaultProjection(std::make_shared<FirstJoints>(space_.get(), view, cells));
+        }
     }
 
     const double *JointSpace::values(const ob::State *state, double *buffer) const

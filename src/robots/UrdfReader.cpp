@@ -262,21 +262,14 @@ namespace ompl_mfa::robots
                 }
                 joint.lower = source.limits->lower;
                 joint.upper = source.limits->upper;
-                checkOrder(element, joint, "limits");
-                // A safety controller without soft limits leaves them at 0.
-                if (source.safety && (source.safety->soft_lower_limit != 0. || source.safety->soft_upper_limit != 0.))
-                {
-                    joint.lower = std::max(joint.lower, source.safety->soft_lower_limit);
-                    joint.upper = std::min(joint.upper, source.safety->soft_upper_limit);
-                    checkOrder(element, joint, "limits and soft limits");
-                }
+                checkOrder(element, joint);
             }
 
-            void checkOrder(const tinyxml2::XMLElement &element, const Joint &joint, const std::string &what) const
+            void checkOrder(const tinyxml2::XMLElement &element, const Joint &joint) const
             {
                 if (!(joint.lower <= joint.upper) || !std::isfinite(joint.lower) || !std::isfinite(joint.upper))
                 {
-                    xml_.fail(element, "joint '" + joint.name + "': the " + what + " contradict each other: lower " +
+                    xml_.fail(element, "joint '" + joint.name + "': the limits contradict each other: lower " +
                                            text::numberText(joint.lower) + ", upper " + text::numberText(joint.upper));
                 }
             }

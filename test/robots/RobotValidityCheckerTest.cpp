@@ -65,7 +65,7 @@ namespace ompl_mfa::robots
             const auto *space = dynamic_cast<const ob::RealVectorStateSpace *>(joints.space().get());
             ASSERT_NE(space, nullptr);
             EXPECT_EQ(space->getDimension(), 5U);
-            EXPECT_EQ(space->getBounds().low[1], -2.6);
+            EXPECT_EQ(space->getBounds().low[1], -2.7);
             EXPECT_EQ(joints.names(), (std::vector<std::string>{"lift", "turn", "shoulder", "elbow", "wrist"}));
         }
 

@@ -61,7 +61,8 @@ namespace ompl_mfa::benchmark
         SE3,              ///< x, y, z, axis.x, axis.y, axis.z, theta
         Dubins,           ///< SE2 with `statespace = dubins`
         DubinsSymmetric,  ///< SE2 with `statespace = dubinssymmetric`
-        ReedsShepp        ///< SE2 with `statespace = reedsshepp`
+        ReedsShepp,       ///< SE2 with `statespace = reedsshepp`
+        Joints            ///< the joints of an arm
     };
 
     /** \brief Kind of robot. */
@@ -69,8 +70,9 @@ namespace ompl_mfa::benchmark
     {
         File,  ///< a mesh or planning scene
         Point,
-        Disc,   ///< with robot.radius
-        Sphere  ///< with robot.radius
+        Disc,    ///< with robot.radius
+        Sphere,  ///< with robot.radius
+        Arm      ///< a URDF file
     };
 
     /** \brief The objective, or a term of a weighted sum. */
@@ -132,6 +134,27 @@ namespace ompl_mfa::benchmark
         std::optional<double> cellSizeFactor;
     };
 
+    /** \brief What describes an arm besides its URDF file. */
+    struct ArmConfig
+    {
+        /** \brief An SRDF file. */
+        std::optional<ConfigEntry> semantics;
+        std::optional<ConfigEntry> group;
+        /** \brief Folders of packages, separated by colons. */
+        std::optional<ConfigEntry> packages;
+        /** \brief A motion plan request. */
+        std::optional<ConfigEntry> request;
+        /** \brief Names of group states or values of the joints, in place of the request's. */
+        std::optional<ConfigEntry> start;
+        std::optional<ConfigEntry> goal;
+        /** \brief Longest step between two checked states of a motion, in joint space: radians or metres. */
+        double step{1.0 / 32.0};
+        /** \brief Factors for the distances of the joints; empty: all 1. */
+        std::vector<double> weights;
+        /** \brief Enlargement of all links, metres. */
+        double padding{0.0};
+    };
+
     /** \brief The section [problem]. */
     struct ProblemConfig
     {
@@ -166,6 +189,8 @@ namespace ompl_mfa::benchmark
         collision::MeshInterior meshInterior{collision::MeshInterior::Free};
         /** \brief For all planners. */
         ContextConfig context;
+        /** \brief Only for an arm. */
+        ArmConfig arm;
     };
 
     enum class SavePaths

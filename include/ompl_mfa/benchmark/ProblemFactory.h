@@ -39,6 +39,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <ompl/geometric/SimpleSetup.h>
 
@@ -46,6 +47,7 @@
 #include "ompl_mfa/benchmark/ConfigFile.h"
 #include "ompl_mfa/collision/RigidBody.h"
 #include "ompl_mfa/collision/Scene.h"
+#include "ompl_mfa/robots/RobotProblem.h"
 
 namespace ompl_mfa::benchmark
 {
@@ -68,9 +70,16 @@ namespace ompl_mfa::benchmark
             return *world_;
         }
 
+        /** \brief The rigid body that moves; not for an arm. */
         const collision::RigidBody &robot() const
         {
-            return robot_;
+            return robot_.value();
+        }
+
+        /** \brief The arm that moves; null for a rigid body. */
+        const robots::RobotProblem *arm() const
+        {
+            return arm_.get();
         }
 
         /** \brief A new problem, set up except for its planner. \e plannerContext overrides the context of the config
@@ -85,9 +94,12 @@ namespace ompl_mfa::benchmark
         ompl::geometric::SimpleSetupPtr create(const PlannerSpec &spec) const;
 
     private:
+        ompl::geometric::SimpleSetupPtr createArm(const ContextConfig &context) const;
+
         BenchmarkConfig config_;
+        std::shared_ptr<const robots::RobotProblem> arm_;
         std::shared_ptr<const collision::Scene> world_;
-        collision::RigidBody robot_;
+        std::optional<collision::RigidBody> robot_;
     };
 
     /** \brief Seeds OMPL. Runs are repeatable if this is called before the process makes its first random number

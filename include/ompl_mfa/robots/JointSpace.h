@@ -76,6 +76,11 @@ namespace ompl_mfa::robots
             return names_;
         }
 
+        bool isContinuous(std::size_t joint) const
+        {
+            return isContinuous_[joint] != 0;
+        }
+
         /** \brief Values of the joints in a state, radians or metres.
             \param buffer used if the state does not hold them in a row; dimension() values.
             \return the values: in the state itself or in the buffer. */

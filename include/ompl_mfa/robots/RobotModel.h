@@ -84,7 +84,7 @@ namespace ompl_mfa::robots
         fcl::Vector3d axis{fcl::Vector3d::UnitX()};
 
         /** \brief Smallest and largest value; infinite for continuous joints. The soft limits of a safety controller
-            are included. */
+            do not count. */
         double lower{-std::numeric_limits<double>::infinity()};
         double upper{std::numeric_limits<double>::infinity()};
 
