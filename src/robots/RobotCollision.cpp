@@ -135,6 +135,7 @@ namespace ompl_mfa::robots
         addObstacles(robot);
         addPairs(robot);
         data_->order = std::make_unique<HitOrder>(data_->items.size());
+        addBalls();
     }
 
     RobotCollision::~RobotCollision() = default;
@@ -303,6 +304,10 @@ namespace ompl_mfa::robots
 
     bool RobotCollision::collides(const double *q) const
     {
+        if (data_->balls)
+        {
+            return anyCollides(&q, 1);
+        }
         Scratch &scratch = place(q);
         for (const std::uint32_t item : data_->order->current())
         {

@@ -44,6 +44,7 @@
 
 #include "collision/NarrowPhase.h"
 #include "ompl_mfa/robots/RobotCollision.h"
+#include "robots/BallChecker.h"
 #include "robots/HitOrder.h"
 #include "robots/ObstacleTree.h"
 
@@ -108,13 +109,15 @@ namespace ompl_mfa::robots
             return *obstacleFunctions[part.index * obstacles.size() + obstacle];
         }
 
-        std::size_t id{0};
         std::vector<Part> parts;
         std::vector<LinkItem> links;
         std::vector<Obstacle> obstacles;
         ObstacleTree tree;
         std::vector<Item> items;
         std::vector<const collision::PairFunctions *> obstacleFunctions;
+
+        // Null if not everything is of balls and primitives.
+        std::unique_ptr<const BallChecker> balls;
 
         // Counts while queries run, which changes no answer.
         std::unique_ptr<HitOrder> order;

@@ -40,7 +40,6 @@
 #include <cmath>
 #include <sstream>
 
-#include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/util/Console.h>
 
@@ -345,7 +344,7 @@ namespace ompl_mfa::robots
         }
         else
         {
-            si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
+            si->setMotionValidator(std::make_shared<RobotDiscreteValidator>(si, checker));
         }
     }
 

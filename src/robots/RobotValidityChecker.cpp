@@ -37,6 +37,7 @@
 #include "ompl_mfa/robots/RobotValidityChecker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -86,6 +87,157 @@ namespace ompl_mfa::robots
     double RobotValidityChecker::clearance(const ob::State *state) const
     {
         return collision_->distance(joints_.values(state, buffer(joints_.dimension())));
+    }
+
+    namespace
+    {
+        // States of a motion for a check; the memory is reused by the next one of the thread.
+        class MotionStates
+        {
+        public:
+            MotionStates(const JointSpace &joints, const ob::State *s1, const ob::State *s2)
+              : dimension_(joints.dimension())
+              , from_(joints.values(s1, buffer<0>(dimension_)))
+              , difference_(buffer<1>(dimension_))
+            {
+                joints.difference(s1, s2, difference_);
+            }
+
+            void add(double share)
+            {
+                double *state = buffer<2>(BLOCK * dimension_) + count_ * dimension_;
+                for (std::size_t i = 0; i < dimension_; ++i)
+                {
+                    state[i] = from_[i] + share * difference_[i];
+                }
+                states_[count_++] = state;
+            }
+
+            bool isFull() const
+            {
+                return count_ == BLOCK;
+            }
+
+            std::size_t size() const
+            {
+                return count_;
+            }
+
+            const double *const *states() const
+            {
+                return states_.data();
+            }
+
+            void clear()
+            {
+                count_ = 0;
+            }
+
+        private:
+            // As many as are checked at once.
+            static constexpr std::size_t BLOCK = 4;
+
+            std::size_t dimension_;
+            const double *from_;
+            double *difference_;
+            std::array<const double *, BLOCK> states_{};
+            std::size_t count_{0};
+        };
+
+        // The whole numbers from 1 to `last` in an order in which each halves a gap between those before it.
+        class HalvingOrder
+        {
+        public:
+            explicit HalvingOrder(unsigned int last)
+              : last_(last)
+            {
+                while (stride_ <= last)
+                {
+                    stride_ *= 2;
+                }
+            }
+
+            // 0 after the last one.
+            unsigned int next()
+            {
+                while (stride_ > 0)
+                {
+                    const unsigned int number = place_ * stride_;
+                    if (number <= last_ && number > 0)
+                    {
+                        place_ += 2;
+                        return number;
+                    }
+                    stride_ /= 2;
+                    place_ = 1;
+                }
+                return 0;
+            }
+
+        private:
+            unsigned int last_;
+            unsigned int stride_{1};
+            unsigned int place_{1};
+        };
+    }  // namespace
+
+    RobotDiscreteValidator::RobotDiscreteValidator(const ob::SpaceInformationPtr &si,
+                                                   std::shared_ptr<const RobotValidityChecker> checker)
+      : ob::MotionValidator(si)
+      , checker_(std::move(checker))
+    {
+    }
+
+    bool RobotDiscreteValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
+    {
+        bool valid = si_->isValid(s2);
+        const unsigned int segments = si_->getStateSpace()->validSegmentCount(s1, s2);
+        if (valid && segments > 1)
+        {
+            MotionStates states(checker_->joints(), s1, s2);
+            HalvingOrder order(segments - 1);
+            unsigned int number = order.next();
+            while (valid && number != 0)
+            {
+                states.add(static_cast<double>(number) / segments);
+                number = order.next();
+                if (states.isFull() || number == 0)
+                {
+                    valid = !checker_->collision().anyCollides(states.states(), states.size());
+                    states.clear();
+                }
+            }
+        }
+        count(valid ? valid_ : invalid_);
+        return valid;
+    }
+
+    bool RobotDiscreteValidator::checkMotion(const ob::State *s1, const ob::State *s2,
+                                             std::pair<ob::State *, double> &lastValid) const
+    {
+        const unsigned int segments = std::max(1U, si_->getStateSpace()->validSegmentCount(s1, s2));
+        MotionStates states(checker_->joints(), s1, s2);
+        unsigned int free = 1;
+        for (unsigned int number = 1; number < segments && free == number;)
+        {
+            states.clear();
+            for (; number < segments && !states.isFull(); ++number)
+            {
+                states.add(static_cast<double>(number) / segments);
+            }
+            free += static_cast<unsigned int>(checker_->collision().firstColliding(states.states(), states.size()));
+        }
+        const bool valid = free == segments && si_->isValid(s2);
+        if (!valid)
+        {
+            lastValid.second = static_cast<double>(free - 1) / segments;
+            if (lastValid.first != nullptr)
+            {
+                si_->getStateSpace()->interpolate(s1, s2, lastValid.second, lastValid.first);
+            }
+        }
+        count(valid ? valid_ : invalid_);
+        return valid;
     }
 
     RobotMotionValidator::RobotMotionValidator(const ob::SpaceInformationPtr &si,

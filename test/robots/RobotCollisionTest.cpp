@@ -464,6 +464,40 @@ namespace ompl_mfa::robots
             EXPECT_LT(reached, 0.5);
         }
 
+        TEST(RobotCollision, BatchesOfBallsGiveTheAnswersOfSingleStates)
+        {
+            for (const TestRobot &one : allRobots())
+            {
+                const PlacedRobot robot = placed(one, true, clutter());
+                const RobotCollision collision(robot);
+                EXPECT_TRUE(collision.isOfBalls());
+                EXPECT_FALSE(RobotCollision(placed(one, false, clutter())).isOfBalls());
+                RandomJoints random(robot);
+                constexpr std::size_t COUNT = 7;
+                for (int batch = 0; batch < (one.name == "picker" ? 50000 : 5000); ++batch)
+                {
+                    std::vector<std::vector<double>> states;
+                    std::vector<const double *> pointers;
+                    std::size_t first = COUNT;
+                    for (std::size_t i = 0; i < COUNT; ++i)
+                    {
+                        states.push_back(random.next());
+                    }
+                    for (std::size_t i = COUNT; i-- > 0;)
+                    {
+                        first = collision.collides(states[i].data()) ? i : first;
+                    }
+                    for (const auto &state : states)
+                    {
+                        pointers.push_back(state.data());
+                    }
+                    EXPECT_EQ(collision.firstColliding(pointers.data(), COUNT), first) << one.name;
+                    EXPECT_EQ(collision.anyCollides(pointers.data(), COUNT), first < COUNT) << one.name;
+                    EXPECT_FALSE(collision.anyCollides(pointers.data(), first)) << one.name;
+                }
+            }
+        }
+
         TEST(RobotCollision, AnswersAreTheSameFromSeveralThreads)
         {
             const PlacedRobot robot = placed(picker(), false, clutter());

@@ -173,6 +173,51 @@ namespace ompl_mfa::robots
             EXPECT_TRUE(si_->isValid(last.get()));
         }
 
+        TEST_P(RobotValidityCheckerTest, DiscreteChecksAreThoseOfOmpl)
+        {
+            const ob::DiscreteMotionValidator theirs(si_);
+            const auto compare = [&](const std::shared_ptr<RobotValidityChecker> &checker)
+            {
+                si_->setStateValidityChecker(checker);
+                const RobotDiscreteValidator ours(si_, checker);
+                joints_->space()->setLongestValidSegmentFraction(0.003);
+                si_->setup();
+                RandomJoints random(robot_);
+                ob::ScopedState<> from(joints_->space());
+                ob::ScopedState<> to(joints_->space());
+                ob::ScopedState<> ourLast(joints_->space());
+                ob::ScopedState<> theirLast(joints_->space());
+                int valid = 0;
+                int invalid = 0;
+                for (int motion = 0; motion < 600; ++motion)
+                {
+                    joints_->setState(random.next().data(), from.get());
+                    joints_->setState(random.next().data(), to.get());
+                    joints_->space()->interpolate(from.get(), to.get(), motion % 3 == 0 ? 1. : 0.02 * (motion % 7),
+                                                  to.get());
+                    if (!si_->isValid(from.get()))
+                    {
+                        continue;
+                    }
+                    const bool expected = theirs.checkMotion(from.get(), to.get());
+                    EXPECT_EQ(ours.checkMotion(from.get(), to.get()), expected);
+                    std::pair<ob::State *, double> a(ourLast.get(), -1.);
+                    std::pair<ob::State *, double> b(theirLast.get(), -1.);
+                    EXPECT_EQ(ours.checkMotion(from.get(), to.get(), a), theirs.checkMotion(from.get(), to.get(), b));
+                    EXPECT_NEAR(a.second, b.second, 1e-12);
+                    EXPECT_TRUE(expected || joints_->space()->equalStates(ourLast.get(), theirLast.get()));
+                    (expected ? valid : invalid)++;
+                }
+                EXPECT_GT(valid, 50);
+                EXPECT_GT(invalid, 50);
+            };
+            compare(checker_);
+            robot_.model = std::make_shared<RobotModel>(loadRobotModel(picker().urdf(true)));
+            const auto balls = std::make_shared<RobotCollision>(robot_);
+            EXPECT_TRUE(balls->isOfBalls());
+            compare(std::make_shared<RobotValidityChecker>(si_, *joints_, balls));
+        }
+
         INSTANTIATE_TEST_SUITE_P(Groups, RobotValidityCheckerTest, ::testing::Values("arm", "arm_and_roll"));
     }  // namespace
 }  // namespace ompl_mfa::robots

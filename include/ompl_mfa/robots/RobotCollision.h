@@ -111,6 +111,17 @@ namespace ompl_mfa::robots
         /** \brief Whether a pair touches. \param q one value for each joint of the group. */
         bool collides(const double *q) const;
 
+        /** \brief Whether one of several states collides. Faster than one call for each if isOfBalls().
+            \param states `count` pointers to the values of the joints. */
+        bool anyCollides(const double *const *states, std::size_t count) const;
+
+        /** \brief Index of the first of several states that collides; `count` if none does. */
+        std::size_t firstColliding(const double *const *states, std::size_t count) const;
+
+        /** \brief Whether all links are balls and all obstacles boxes, balls and cylinders, so that several states are
+            checked at once by the vector instructions of the processor. */
+        bool isOfBalls() const;
+
         /** \brief Smallest distance of the pairs that are checked, metres, or `limit` > 0 if it is at least that. If
             shapes overlap, it is minus the depth where that is known in closed form, as of balls in primitives, else 0.
          */
@@ -146,6 +157,7 @@ namespace ompl_mfa::robots
         void addAttached(const PlacedRobot &robot);
         void addObstacles(const PlacedRobot &robot);
         void addPairs(const PlacedRobot &robot);
+        void addBalls();
         Scratch &place(const double *q) const;
         bool test(std::uint32_t item, Scratch &scratch) const;
         double itemDistance(std::uint32_t item, Scratch &scratch, double limit) const;

@@ -81,6 +81,28 @@ namespace ompl_mfa::robots
         std::shared_ptr<const RobotCollision> collision_;
     };
 
+    /** \brief Validation of motions at the states at which OMPL's DiscreteMotionValidator checks them, several at a
+       time, which is faster for robots of balls (RobotCollision::isOfBalls()). The answers are the same.
+
+        The states on a motion are not checked by way of SpaceInformation::isValid(). */
+    class OMPL_MFA_EXPORT RobotDiscreteValidator : public ompl::base::MotionValidator
+    {
+    public:
+        RobotDiscreteValidator(const ompl::base::SpaceInformationPtr &si,
+                               std::shared_ptr<const RobotValidityChecker> checker);
+
+        /** \brief Whether the states are valid; `s1` is assumed to be valid. */
+        bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
+
+        /** \brief As above. If the motion is invalid, `lastValid` is set to the last state before the first invalid one
+            (unless its pointer is null) and the fraction of the motion up to it, in [0, 1). */
+        bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
+                         std::pair<ompl::base::State *, double> &lastValid) const override;
+
+    private:
+        std::shared_ptr<const RobotValidityChecker> checker_;
+    };
+
     /** \brief Continuous validation of motions by conservative advancement: at a distance d between two links, or a
        link and an obstacle, they cannot touch before the joints between them have moved by d at the ends of their
        levers. Even arbitrarily thin obstacles are found. A motion that comes closer than clearanceTolerance() counts as
