@@ -107,7 +107,14 @@ namespace ompl_mfa::benchmark
                     "0",
                     "metres by which every link is enlarged, besides what the scene says",
                     [accepted](ProblemConfig &problem, std::size_t, const ConfigEntry &entry)
-                    { problem.arm.padding = realValue(entry); }};
+                    {
+                        double value = 0.0;
+                        if (!text::readNumber(entry.value, value) || !std::isfinite(value))
+                        {
+                            failAt(entry, "expected " + accepted);
+                        }
+                        problem.arm.padding = value;
+                    }};
         }
 
         std::vector<std::filesystem::path> packageFolders(const BenchmarkConfig &config)

@@ -66,6 +66,7 @@
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
 #include "ompl_mfa/planner/MFA.h"
+#include "ompl_mfa/robots/JointTrajectory.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::cli
@@ -268,12 +269,25 @@ namespace ompl_mfa::cli
             }
         }
 
-        void writePath(const og::PathGeometric &path, const std::string &file)
+        /** \brief As a timed trajectory of an arm, or one state per line. */
+        void writePath(const ProblemFactory &factory, const og::PathGeometric &path, const std::string &file)
         {
+            const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
             std::ofstream out(file);
             out.imbue(std::locale::classic());
-            out << std::setprecision(std::numeric_limits<double>::max_digits10);
-            path.printAsMatrix(out);
+            if (factory.arm() != nullptr && extension == ".csv")
+            {
+                robots::writeCsv(robots::timedPath(*factory.arm(), path), out);
+            }
+            else if (factory.arm() != nullptr && (extension == ".yaml" || extension == ".yml"))
+            {
+                robots::writeYaml(robots::timedPath(*factory.arm(), path), out);
+            }
+            else
+            {
+                out << std::setprecision(std::numeric_limits<double>::max_digits10);
+                path.printAsMatrix(out);
+            }
             out.close();
             if (!out)
             {
@@ -388,7 +402,7 @@ namespace ompl_mfa::cli
             const Result result = run.solve();
             if (!options.path.empty() && run.setup().haveSolutionPath())
             {
-                writePath(run.setup().getSolutionPath(), options.path);
+                writePath(factory, run.setup().getSolutionPath(), options.path);
             }
             if (!options.picture.empty())
             {
@@ -429,7 +443,9 @@ namespace ompl_mfa::cli
         command->add_option("--parameter", options->parameters, "NAME=VALUE of the planner, overriding the config");
         command->add_flag("--simplify", options->simplify, "Simplify the path as OMPL's SimpleSetup does");
         command->add_option("--picture", options->picture, "Draw world and paths in this .svg, .png or .pdf file");
-        command->add_option("--path", options->path, "Write the path to this file, a state a line");
+        command->add_option(
+            "--path", options->path,
+            "Write the path to this file, a state a line; that of an arm as a timed trajectory if it is .csv or .yaml");
         command->add_flag("--json", options->json, "Print one JSON document");
         command->callback([options, time, seed] { plan(*options, time->count() > 0, seed->count() > 0); });
     }

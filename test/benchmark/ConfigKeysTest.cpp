@@ -129,8 +129,10 @@ namespace ompl_mfa::benchmark
         template <typename Config>
         void expectRefusals(const std::vector<ConfigRow<Config>> &rows)
         {
-            // files are checked when they are read, and the message for a folder is another one
-            const std::set<std::string> paths = {"world", "robot", "output"};
+            // files and names in them are checked when they are read, and the message for a folder is another one
+            const std::set<std::string> paths = {"world",           "robot",       "output",
+                                                 "robot.semantics", "robot.group", "robot.packages",
+                                                 "robot.request",   "start",       "goal"};
             for (const auto &row : rows)
             {
                 for (std::size_t i = 0; i < row.keys.size(); ++i)
