@@ -47,7 +47,7 @@
 #include <nlohmann/json.hpp>
 
 #include <ompl/base/ScopedState.h>
-#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/goals/GoalLazySamples.h>
 
 #include "benchmark/ProblemSpace.h"
 #include "cli/Commands.h"
@@ -88,10 +88,21 @@ namespace ompl_mfa::cli
             double length{0.0};
         };
 
+        /** \brief Whether a goal state is known; for a goal that is a pose of an arm, one may not have been found. */
+        bool hasGoalState(const ompl::geometric::SimpleSetup &setup)
+        {
+            const auto *lazy = dynamic_cast<const ob::GoalLazySamples *>(setup.getGoal().get());
+            return lazy == nullptr || lazy->hasStates();
+        }
+
         StraightMotion straightMotion(const ompl::geometric::SimpleSetup &setup)
         {
             const auto &si = setup.getSpaceInformation();
             const ob::State *start = setup.getProblemDefinition()->getStartState(0);
+            if (!hasGoalState(setup))
+            {
+                return {};
+            }
             ob::ScopedState<> goalState(setup.getStateSpace());
             setup.getGoal()->as<ob::GoalSampleableRegion>()->sampleGoal(goalState.get());
             const ob::State *goal = goalState.get();
@@ -235,7 +246,7 @@ namespace ompl_mfa::cli
                 {"state_check_time", stateCheckTime(*setup.getSpaceInformation())},
                 {"warnings", warnings(factory)},
                 {"start_valid", true},
-                {"goal_valid", true},
+                {"goal_valid", hasGoalState(setup)},
                 {"straight_motion",
                  {{"free", motion.free}, {"free_fraction", motion.freeFraction}, {"length", motion.length}}},
                 {"planners", planners}};
@@ -290,7 +301,8 @@ namespace ompl_mfa::cli
                       << "world box  " << boxText(description["world_box"]) << "\n"
                       << "robot      " << oneLine(description["robot"].get<std::string>()) << robotText(description)
                       << "start      valid\n"
-                      << "goal       valid\n"
+                      << "goal       " << (description["goal_valid"].get<bool>() ? "valid" : "no state found yet")
+                      << "\n"
                       << "straight   ";
             if (motion["free"].get<bool>())
             {

@@ -46,7 +46,7 @@
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
 #include "ompl_mfa/robots/RobotValidityChecker.h"
-#include "robots/JointGoal.h"
+#include "robots/PoseGoal.h"
 #include "robots/UnknownName.h"
 #include "text/NumberText.h"
 
@@ -71,7 +71,9 @@ namespace ompl_mfa::robots
 
     struct RobotProblem::Goal
     {
+        /** \brief Not used if there is a pose. */
         JointBox box;
+        std::optional<PoseTarget> pose;
         std::string place;
     };
 
@@ -232,7 +234,7 @@ namespace ompl_mfa::robots
             const std::string place = "goal = " + files.goal;
             std::vector<double> values = stateOf(files.goal, "goal");
             bringWithinLimits(values, place + ": the goal");
-            goals_.push_back({{values, values, values}, place});
+            goals_.push_back({{values, values, values}, std::nullopt, place});
             return;
         }
         for (const RequestedGoal &goal : request.goals)
@@ -290,8 +292,10 @@ namespace ompl_mfa::robots
         goal.place = requested.place;
         if (requested.pose)
         {
-            throw InputError(requested.place +
-                             ": goal_constraints.position_constraints: only goals of joints are read");
+            // Finds faults.
+            PoseSampler(robot_, *requested.pose);
+            goal.pose = requested.pose;
+            return goal;
         }
         std::vector<const JointTarget *> targets(robot_.group.size(), nullptr);
         for (const JointTarget &target : requested.joints)
@@ -380,12 +384,24 @@ namespace ompl_mfa::robots
         setup.setStartState(state);
 
         std::vector<JointBox> boxes;
+        std::vector<PoseTarget> poses;
         for (const Goal &goal : goals_)
         {
-            if (!goal.box.isPoint() || !collision_->collides(goal.box.preferred.data()))
+            if (goal.pose)
+            {
+                poses.push_back(*goal.pose);
+            }
+            else if (!goal.box.isPoint() || !collision_->collides(goal.box.preferred.data()))
             {
                 boxes.push_back(goal.box);
             }
+        }
+        if (!poses.empty())
+        {
+            const auto goal = makePoseGoal(si, joints, robot_, poses, std::move(boxes));
+            goal->setThreshold(threshold);
+            setup.setGoal(goal);
+            return;
         }
         if (boxes.empty())
         {

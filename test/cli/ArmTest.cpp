@@ -83,6 +83,21 @@ namespace
         EXPECT_EQ(readFile(path("path.yaml")).rfind("joint_trajectory:", 0), 0U);
     }
 
+    TEST_F(ArmTest, GoalsMayBePoses)
+    {
+        const std::string posed =
+            PICKER + "--scene " + ARMS + "problems/scene0001.yaml --request " + ARMS + "problems/request0004.yaml ";
+        for (const char *planner : {"mfa", "rrtconnect", "rrtstar"})
+        {
+            const ProgramResult result =
+                runProgram("plan " + posed + "--time 2 --json --planner " + std::string(planner));
+            ASSERT_EQ(result.status, 0) << planner << result.err;
+            EXPECT_EQ(result.err, "");
+        }
+        const ProgramResult check = runProgram("check " + posed);
+        EXPECT_NE(check.out.find("goal       valid"), std::string::npos) << check.out;
+    }
+
     TEST_F(ArmTest, GroupStatesAreStartAndGoal)
     {
         const ProgramResult result = runProgram(

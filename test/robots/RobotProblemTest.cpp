@@ -36,9 +36,12 @@
 
 #include "ompl_mfa/robots/RobotProblem.h"
 
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <ompl/base/goals/GoalLazySamples.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
@@ -273,6 +276,87 @@ namespace ompl_mfa::robots
             EXPECT_NEAR(at.x(), 0.06, 1e-6);
             EXPECT_NEAR(at.y(), 0.03 + 0.4 + 0.33 + 0.03 + 0.1 + 0.1, 1e-6);
             EXPECT_NEAR(at.z(), 0.33, 1e-6);
+        }
+
+        /* Poses of the link `tool`, at a position and, if it is not empty, with an orientation. */
+        std::string poseGoal(const std::string &position, const std::string &orientation,
+                             const std::string &region = "{type: sphere, dimensions: [0.001]}",
+                             const std::string &link = "tool")
+        {
+            return "  - position_constraints:\n      - link_name: " + link +
+                   "\n        constraint_region: {primitives: [" + region +
+                   "], primitive_poses: [{position: " + position + "}]}\n" +
+                   (orientation.empty() ? ""
+                                        : "    orientation_constraints:\n      - {link_name: " + link +
+                                              ", orientation: " + orientation +
+                                              ", absolute_x_axis_tolerance: 0.01, absolute_y_axis_tolerance: 0.01, "
+                                              "absolute_z_axis_tolerance: 0.01}\n");
+        }
+
+        const std::string POSES = "group_name: arm_and_roll\ngoal_constraints:\n";
+
+        TEST_F(RobotProblemTest, PosesAreReachedInDifferentConfigurations)
+        {
+            // the hand hangs down: a quarter of a turn about y
+            const RobotProblem problem(files(POSES + poseGoal("[0.5, 0.3, 0.3]", "[0, 0.7071068, 0, 0.7071068]")));
+            const auto setup = problem.makeSetup();
+            auto *lazy = setup->getGoal()->as<ob::GoalLazySamples>();
+            const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+            while (lazy->getStateCount() < 4 && std::chrono::steady_clock::now() < end)
+            {
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            }
+            lazy->stopSampling();
+            ASSERT_GE(lazy->getStateCount(), 4U);
+            const auto &model = *problem.robot().model;
+            for (unsigned int i = 0; i < lazy->getStateCount(); ++i)
+            {
+                std::vector<double> values = problem.robot().values;
+                const std::vector<double> q = valuesOf(problem, lazy->getState(i));
+                for (std::size_t k = 0; k < q.size(); ++k)
+                {
+                    values[problem.robot().group[k]] = q[k];
+                }
+                const fcl::Transform3d tool = model.linkPoses(values)[*model.findLink("tool")];
+                EXPECT_LT((tool.translation() - fcl::Vector3d(0.5, 0.3, 0.3)).norm(), 0.0011);
+                EXPECT_LT((tool.linear().col(0) - fcl::Vector3d(0., 0., -1.)).norm(), 0.03);
+                EXPECT_TRUE(setup->getSpaceInformation()->isValid(lazy->getState(i)));
+            }
+            setup->setPlanner(std::make_shared<og::RRTConnect>(setup->getSpaceInformation()));
+            EXPECT_EQ(setup->solve(10.), ob::PlannerStatus::EXACT_SOLUTION);
+        }
+
+        TEST_F(RobotProblemTest, PositionsWithAnyOrientationAndBoxesAreGoals)
+        {
+            const RobotProblem problem(
+                files(POSES + poseGoal("[0.4, -0.4, 0.6]", "", "{type: box, dimensions: [0.1, 0.02, 0.3]}") +
+                      "  - joint_constraints: [" + goal("turn", 0.5) + "]\n"));
+            const auto setup = problem.makeSetup();
+            auto *lazy = setup->getGoal()->as<ob::GoalLazySamples>();
+            EXPECT_TRUE(lazy->hasStates());
+            setup->setPlanner(std::make_shared<og::RRTConnect>(setup->getSpaceInformation()));
+            EXPECT_EQ(setup->solve(10.), ob::PlannerStatus::EXACT_SOLUTION);
+        }
+
+        TEST_F(RobotProblemTest, FaultsOfPosesAreOneLine)
+        {
+            expectFault(POSES + poseGoal("[9, 0, 0]", ""), "request.yaml:3", "'tool' is out of reach", "9.005 m", "m long");
+            expectFault(POSES + poseGoal("[0.5, 0, 0.5]", "", "{type: cone, dimensions: [1, 1]}"), "box", "sphere");
+            expectFault(POSES + poseGoal("[0.5, 0, 0.5]", "", "{type: sphere, dimensions: [1]}", "tol"), "'tol'",
+                        "tool");
+            expectFault(POSES + poseGoal("[0.5, 0, 0.5]", "", "{type: sphere, dimensions: [1]}", "foot"), "'foot'",
+                        "does not move");
+            expectFault(POSES + poseGoal("[0.5, 0, 0.5]", "") + "    joint_constraints: [" + goal("turn", 0.) + "]\n",
+                        "not both");
+        }
+
+        TEST_F(RobotProblemTest, PosesThatMayBeReachableAreNeverClaimedNotToBe)
+        {
+            // within the length of the arm, but in its column: the planner runs until its time is over
+            const RobotProblem problem(files(POSES + poseGoal("[-0.1, 0, 0.5]", "[0, 0, 0, 1]")));
+            const auto setup = problem.makeSetup();
+            setup->setPlanner(std::make_shared<og::RRTConnect>(setup->getSpaceInformation()));
+            EXPECT_EQ(setup->solve(0.3), ob::PlannerStatus::TIMEOUT);
         }
 
         /* All starts and goals of the shared problems: those that the ball model finds free are free for the meshes,

@@ -137,7 +137,9 @@ namespace ompl_mfa::robots
 
         /** \brief Set start and goal, after `setup` was given the checkers.
             \param threshold distance at which a state counts as a goal state, in joint space.
-            \throw InputError if start or goal is missing, or in collision: which pair, and how deep. */
+            \throw InputError if start or goal is missing, or in collision: which pair, and how deep. Goals that are
+           poses are sampled by inverse kinematics, in a thread that begins here; the planner runs until its time is
+           over if they cannot be reached. */
         void setStartAndGoal(ompl::geometric::SimpleSetup &setup, const JointSpace &joints,
                              double threshold = 1e-6) const;
 
