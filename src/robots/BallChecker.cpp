@@ -37,6 +37,7 @@
 #include "robots/BallChecker.h"
 
 #include <cmath>
+#include <cstdint>
 
 // The functions below are inlined into one that is compiled for other instructions.
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -51,218 +52,217 @@ namespace ompl_mfa::robots
 {
     namespace
     {
-        // A number for each state. The loops have a fixed length, so compilers turn them into vector instructions.
-        template <std::size_t N>
-        struct Lanes
-        {
-            double v[N];
-        };
+        // A number for each state: one, or a vector of the compiler's.
+        using Four = double __attribute__((vector_size(4 * sizeof(double))));
+        using FourBits = std::int64_t __attribute__((vector_size(4 * sizeof(std::int64_t))));
+        static_assert(sizeof(Four) == BallChecker::LANES * sizeof(double), "a lane for each state");
 
-        template <std::size_t N>
-        struct Point
-        {
-            Lanes<N> x;
-            Lanes<N> y;
-            Lanes<N> z;
-        };
+        template <typename Lanes>
+        constexpr unsigned int ALL = 15U;
+        template <>
+        constexpr unsigned int ALL<double> = 1U;
 
-        template <std::size_t N>
-        struct Pose
+        // Vectors are passed by reference, as the way to pass them by value depends on the instructions.
+        OMPL_MFA_INLINE void setLane(double &lanes, std::size_t /*lane*/, double value)
         {
-            Lanes<N> r[9];
-            Point<N> t;
-        };
+            lanes = value;
+        }
 
-        template <std::size_t N>
-        OMPL_MFA_INLINE void rotate(const Pose<N> &pose, const fcl::Vector3d &p, Point<N> &result)
+        OMPL_MFA_INLINE void setLane(Four &lanes, std::size_t lane, double value)
         {
-            for (std::size_t i = 0; i < N; ++i)
+            lanes[lane] = value;
+        }
+
+        template <typename Lanes>
+        constexpr std::size_t WIDTH = sizeof(Lanes) / sizeof(double);
+
+        // Amount by which the absolute values exceed a limit; 0 if they do not.
+        OMPL_MFA_INLINE void excess(const double &value, double limit, double &result)
+        {
+            const double above = std::abs(value) - limit;
+            result = above > 0. ? above : 0.;
+        }
+
+        OMPL_MFA_INLINE void excess(const Four &value, double limit, Four &result)
+        {
+            constexpr std::int64_t WITHOUT_SIGN = 0x7fffffffffffffff;
+            const Four above = (Four)((FourBits)value & WITHOUT_SIGN) - limit;
+            const Four zero{};
+            result = (Four)((FourBits)above & (FourBits)(above > zero));
+        }
+
+        // A mask of the lanes with values of at most the limit.
+        OMPL_MFA_INLINE unsigned int atMost(const double &value, double limit)
+        {
+            return value <= limit ? 1U : 0U;
+        }
+
+        OMPL_MFA_INLINE unsigned int atMost(const Four &value, double limit)
+        {
+            const Four limits{limit, limit, limit, limit};
+            const FourBits bits = (FourBits)(value <= limits);
+            return static_cast<unsigned int>((bits[0] & 1) | (bits[1] & 2) | (bits[2] & 4) | (bits[3] & 8));
+        }
+
+        OMPL_MFA_INLINE void squareRoot(const double &value, double &result)
+        {
+            result = std::sqrt(value);
+        }
+
+        OMPL_MFA_INLINE void squareRoot(const Four &value, Four &result)
+        {
+            for (std::size_t i = 0; i < WIDTH<Four>; ++i)
             {
-                result.x.v[i] = pose.r[0].v[i] * p.x() + pose.r[1].v[i] * p.y() + pose.r[2].v[i] * p.z();
-                result.y.v[i] = pose.r[3].v[i] * p.x() + pose.r[4].v[i] * p.y() + pose.r[5].v[i] * p.z();
-                result.z.v[i] = pose.r[6].v[i] * p.x() + pose.r[7].v[i] * p.y() + pose.r[8].v[i] * p.z();
+                result[i] = std::sqrt(value[i]);
             }
         }
 
-        template <std::size_t N>
-        OMPL_MFA_INLINE void transform(const Pose<N> &pose, const fcl::Vector3d &p, Point<N> &result)
+        // Aligned explicitly: without AVX2 the compiler's alignment of a vector is smaller than with it.
+        template <typename Lanes>
+        struct alignas(sizeof(Lanes)) Point
+        {
+            Lanes x;
+            Lanes y;
+            Lanes z;
+        };
+
+        template <typename Lanes>
+        struct alignas(sizeof(Lanes)) Pose
+        {
+            Lanes r[9];
+            Point<Lanes> t;
+        };
+
+        template <typename Lanes>
+        OMPL_MFA_INLINE void rotate(const Pose<Lanes> &pose, const fcl::Vector3d &p, Point<Lanes> &result)
+        {
+            result.x = pose.r[0] * p.x() + pose.r[1] * p.y() + pose.r[2] * p.z();
+            result.y = pose.r[3] * p.x() + pose.r[4] * p.y() + pose.r[5] * p.z();
+            result.z = pose.r[6] * p.x() + pose.r[7] * p.y() + pose.r[8] * p.z();
+        }
+
+        template <typename Lanes>
+        OMPL_MFA_INLINE void transform(const Pose<Lanes> &pose, const fcl::Vector3d &p, Point<Lanes> &result)
         {
             rotate(pose, p, result);
-            for (std::size_t i = 0; i < N; ++i)
-            {
-                result.x.v[i] += pose.t.x.v[i];
-                result.y.v[i] += pose.t.y.v[i];
-                result.z.v[i] += pose.t.z.v[i];
-            }
+            result.x += pose.t.x;
+            result.y += pose.t.y;
+            result.z += pose.t.z;
         }
 
-        template <std::size_t N>
-        OMPL_MFA_INLINE void place(const RobotKinematics::Step &step, const Pose<N> &parent,
-                                   const double *const *states, Pose<N> &body)
+        template <typename Lanes>
+        OMPL_MFA_INLINE void place(const RobotKinematics::Step &step, const Pose<Lanes> &parent,
+                                   const double *const *states, Pose<Lanes> &body)
         {
-            Lanes<N> value;
-            Lanes<N> sine;
-            Lanes<N> cosine;
-            for (std::size_t i = 0; i < N; ++i)
+            Lanes value{};
+            Lanes sine{};
+            Lanes cosine{};
+            for (std::size_t i = 0; i < WIDTH<Lanes>; ++i)
             {
-                value.v[i] = step.multiplier * states[i][step.variable] + step.offset;
-                sine.v[i] = step.isPrismatic ? 0. : std::sin(value.v[i]);
-                cosine.v[i] = step.isPrismatic ? 0. : std::cos(value.v[i]);
+                const double one = step.multiplier * states[i][step.variable] + step.offset;
+                setLane(value, i, one);
+                setLane(sine, i, step.isPrismatic ? 0. : std::sin(one));
+                setLane(cosine, i, step.isPrismatic ? 0. : std::cos(one));
             }
-            Lanes<N> own[9];
+            Lanes own[9];
             for (int row = 0; row < 3; ++row)
             {
                 for (int column = 0; column < 3; ++column)
                 {
-                    const double constant = step.constant(row, column);
-                    const double bySine = step.sine(row, column);
-                    const double byCosine = step.cosine(row, column);
-                    for (std::size_t i = 0; i < N; ++i)
-                    {
-                        own[3 * row + column].v[i] = constant + sine.v[i] * bySine + cosine.v[i] * byCosine;
-                    }
+                    own[3 * row + column] =
+                        step.constant(row, column) + sine * step.sine(row, column) + cosine * step.cosine(row, column);
                 }
             }
             for (int row = 0; row < 3; ++row)
             {
                 for (int column = 0; column < 3; ++column)
                 {
-                    for (std::size_t i = 0; i < N; ++i)
-                    {
-                        body.r[3 * row + column].v[i] = parent.r[3 * row].v[i] * own[column].v[i] +
-                                                        parent.r[3 * row + 1].v[i] * own[3 + column].v[i] +
-                                                        parent.r[3 * row + 2].v[i] * own[6 + column].v[i];
-                    }
+                    body.r[3 * row + column] = parent.r[3 * row] * own[column] +
+                                               parent.r[3 * row + 1] * own[3 + column] +
+                                               parent.r[3 * row + 2] * own[6 + column];
                 }
             }
             transform(parent, step.origin, body.t);
             if (step.isPrismatic)
             {
-                Point<N> along;
+                Point<Lanes> along;
                 rotate(parent, step.direction, along);
-                for (std::size_t i = 0; i < N; ++i)
-                {
-                    body.t.x.v[i] += value.v[i] * along.x.v[i];
-                    body.t.y.v[i] += value.v[i] * along.y.v[i];
-                    body.t.z.v[i] += value.v[i] * along.z.v[i];
-                }
+                body.t.x += value * along.x;
+                body.t.y += value * along.y;
+                body.t.z += value * along.z;
             }
         }
 
-        // A mask of the lanes in which `squared` <= limit squared.
-        template <std::size_t N>
-        OMPL_MFA_INLINE unsigned int within(const Lanes<N> &squared, double limit)
+        template <typename Lanes>
+        OMPL_MFA_INLINE unsigned int touch(const Point<Lanes> &a, const Point<Lanes> &b, double radii)
         {
-            unsigned int mask = 0;
-            for (std::size_t i = 0; i < N; ++i)
-            {
-                mask |= squared.v[i] <= limit * limit ? 1U << i : 0U;
-            }
-            return mask;
+            const Lanes x = a.x - b.x;
+            const Lanes y = a.y - b.y;
+            const Lanes z = a.z - b.z;
+            return atMost(x * x + y * y + z * z, radii * radii);
         }
 
-        template <std::size_t N>
-        OMPL_MFA_INLINE unsigned int touch(const Point<N> &a, const Point<N> &b, double radii)
-        {
-            Lanes<N> squared;
-            for (std::size_t i = 0; i < N; ++i)
-            {
-                const double x = a.x.v[i] - b.x.v[i];
-                const double y = a.y.v[i] - b.y.v[i];
-                const double z = a.z.v[i] - b.z.v[i];
-                squared.v[i] = x * x + y * y + z * z;
-            }
-            return within(squared, radii);
-        }
-
-        template <std::size_t N>
-        OMPL_MFA_INLINE unsigned int touchBall(const BallModel::Obstacle &obstacle, const Point<N> &centre,
+        template <typename Lanes>
+        OMPL_MFA_INLINE unsigned int touchBall(const BallModel::Obstacle &obstacle, const Point<Lanes> &centre,
                                                double radii)
         {
-            Lanes<N> squared;
-            for (std::size_t i = 0; i < N; ++i)
-            {
-                const double x = centre.x.v[i] - obstacle.position.x();
-                const double y = centre.y.v[i] - obstacle.position.y();
-                const double z = centre.z.v[i] - obstacle.position.z();
-                squared.v[i] = x * x + y * y + z * z;
-            }
-            return within(squared, radii);
+            const Lanes x = centre.x - obstacle.position.x();
+            const Lanes y = centre.y - obstacle.position.y();
+            const Lanes z = centre.z - obstacle.position.z();
+            return atMost(x * x + y * y + z * z, radii * radii);
         }
 
-        // Centre in the frame of the obstacle.
-        template <std::size_t N>
-        OMPL_MFA_INLINE void toShape(const BallModel::Obstacle &obstacle, const Point<N> &centre, Point<N> &local)
-        {
-            const fcl::Matrix3d &r = obstacle.toShape;
-            for (std::size_t i = 0; i < N; ++i)
-            {
-                const double x = centre.x.v[i] - obstacle.position.x();
-                const double y = centre.y.v[i] - obstacle.position.y();
-                const double z = centre.z.v[i] - obstacle.position.z();
-                local.x.v[i] = r(0, 0) * x + r(0, 1) * y + r(0, 2) * z;
-                local.y.v[i] = r(1, 0) * x + r(1, 1) * y + r(1, 2) * z;
-                local.z.v[i] = r(2, 0) * x + r(2, 1) * y + r(2, 2) * z;
-            }
-        }
-
-        OMPL_MFA_INLINE double above(double value, double limit)
-        {
-            const double excess = (value < 0. ? -value : value) - limit;
-            return excess > 0. ? excess : 0.;
-        }
-
-        template <std::size_t N>
-        OMPL_MFA_INLINE unsigned int touchObstacle(const BallModel::Obstacle &obstacle, const Point<N> &centre,
+        template <typename Lanes>
+        OMPL_MFA_INLINE unsigned int touchObstacle(const BallModel::Obstacle &obstacle, const Point<Lanes> &centre,
                                                    double radius)
         {
             if (obstacle.shape == BallModel::Shape::Ball)
             {
                 return touchBall(obstacle, centre, radius + obstacle.size.x());
             }
-            Point<N> local;
-            toShape(obstacle, centre, local);
-            Lanes<N> squared;
+            // in the frame of the obstacle
+            const fcl::Matrix3d &r = obstacle.toShape;
+            const Lanes x = centre.x - obstacle.position.x();
+            const Lanes y = centre.y - obstacle.position.y();
+            const Lanes z = centre.z - obstacle.position.z();
+            const Lanes ownX = r(0, 0) * x + r(0, 1) * y + r(0, 2) * z;
+            const Lanes ownY = r(1, 0) * x + r(1, 1) * y + r(1, 2) * z;
+            const Lanes ownZ = r(2, 0) * x + r(2, 1) * y + r(2, 2) * z;
             if (obstacle.shape == BallModel::Shape::Box)
             {
-                for (std::size_t i = 0; i < N; ++i)
-                {
-                    const double x = above(local.x.v[i], obstacle.size.x());
-                    const double y = above(local.y.v[i], obstacle.size.y());
-                    const double z = above(local.z.v[i], obstacle.size.z());
-                    squared.v[i] = x * x + y * y + z * z;
-                }
-                return within(squared, radius);
+                Point<Lanes> outside;
+                excess(ownX, obstacle.size.x(), outside.x);
+                excess(ownY, obstacle.size.y(), outside.y);
+                excess(ownZ, obstacle.size.z(), outside.z);
+                return atMost(outside.x * outside.x + outside.y * outside.y + outside.z * outside.z, radius * radius);
             }
-            for (std::size_t i = 0; i < N; ++i)
-            {
-                const double fromAxis = std::sqrt(local.x.v[i] * local.x.v[i] + local.y.v[i] * local.y.v[i]);
-                const double across = above(fromAxis, obstacle.size.x());
-                const double along = above(local.z.v[i], obstacle.size.y());
-                squared.v[i] = across * across + along * along;
-            }
-            return within(squared, radius);
+            Lanes fromAxis{};
+            squareRoot(ownX * ownX + ownY * ownY, fromAxis);
+            Lanes across;
+            Lanes along;
+            excess(fromAxis, obstacle.size.x(), across);
+            excess(ownZ, obstacle.size.y(), along);
+            return atMost(across * across + along * along, radius * radius);
         }
 
-        template <std::size_t N>
+        template <typename Lanes>
         struct Batch
         {
-            std::vector<Pose<N>> bodies;
-            std::vector<Point<N>> hulls;
-            std::vector<Point<N>> centres;
+            std::vector<Pose<Lanes>> bodies;
+            std::vector<Point<Lanes>> hulls;
+            std::vector<Point<Lanes>> centres;
         };
 
-        template <std::size_t N>
+        template <typename Lanes>
         OMPL_MFA_INLINE unsigned int testWorld(const BallModel &model, const BallModel::Test &test,
-                                               const Batch<N> &batch, bool stopAtFirst)
+                                               const Batch<Lanes> &batch, bool stopAtFirst)
         {
-            constexpr unsigned int ALL = (1U << N) - 1U;
             const BallModel::Link &link = model.links[test.first];
             unsigned int hits = 0;
             for (const std::size_t index : test.obstacles)
             {
                 const BallModel::Obstacle &obstacle = model.obstacles[index];
-                const Point<N> &hull = batch.hulls[test.first];
+                const Point<Lanes> &hull = batch.hulls[test.first];
                 if (touchBall(obstacle, hull, link.hull.radius + obstacle.reach) == 0 ||
                     touchObstacle(obstacle, hull, link.hull.radius) == 0)
                 {
@@ -270,10 +270,10 @@ namespace ompl_mfa::robots
                 }
                 for (const BallModel::Ball &ball : link.world)
                 {
-                    Point<N> centre;
+                    Point<Lanes> centre;
                     transform(batch.bodies[link.body], ball.centre, centre);
                     hits |= touchObstacle(obstacle, centre, ball.radius);
-                    if (hits == ALL || (stopAtFirst && hits != 0))
+                    if (hits == ALL<Lanes> || (stopAtFirst && hits != 0))
                     {
                         return hits;
                     }
@@ -282,14 +282,13 @@ namespace ompl_mfa::robots
             return hits;
         }
 
-        template <std::size_t N>
-        OMPL_MFA_INLINE unsigned int testLinks(const BallModel &model, const BallModel::Test &test, Batch<N> &batch,
+        template <typename Lanes>
+        OMPL_MFA_INLINE unsigned int testLinks(const BallModel &model, const BallModel::Test &test, Batch<Lanes> &batch,
                                                bool stopAtFirst)
         {
-            constexpr unsigned int ALL = (1U << N) - 1U;
             const BallModel::Link &first = model.links[test.first];
             const BallModel::Link &second = model.links[test.second];
-            const Point<N> &hull = batch.hulls[test.second];
+            const Point<Lanes> &hull = batch.hulls[test.second];
             if (touch(batch.hulls[test.first], hull, first.hull.radius + second.hull.radius) == 0)
             {
                 return 0;
@@ -301,7 +300,7 @@ namespace ompl_mfa::robots
             unsigned int hits = 0;
             for (const BallModel::Ball &ball : first.self)
             {
-                Point<N> centre;
+                Point<Lanes> centre;
                 transform(batch.bodies[first.body], ball.centre, centre);
                 if (touch(centre, hull, ball.radius + second.hull.radius) == 0)
                 {
@@ -311,7 +310,7 @@ namespace ompl_mfa::robots
                 {
                     hits |= touch(centre, batch.centres[j], ball.radius + second.self[j].radius);
                 }
-                if (hits == ALL || (stopAtFirst && hits != 0))
+                if (hits == ALL<Lanes> || (stopAtFirst && hits != 0))
                 {
                     return hits;
                 }
@@ -319,12 +318,11 @@ namespace ompl_mfa::robots
             return hits;
         }
 
-        template <std::size_t N>
+        template <typename Lanes>
         OMPL_MFA_INLINE unsigned int check(const RobotKinematics &kinematics, const BallModel &model,
                                            const double *const *states, const std::vector<std::uint32_t> &order,
-                                           bool stopAtFirst, std::uint32_t &hitTest, Batch<N> &batch)
+                                           bool stopAtFirst, std::uint32_t &hitTest, Batch<Lanes> &batch)
         {
-            constexpr unsigned int ALL = (1U << N) - 1U;
             const auto &steps = kinematics.steps();
             for (std::size_t i = 0; i < steps.size(); ++i)
             {
@@ -342,7 +340,7 @@ namespace ompl_mfa::robots
                                                         : testLinks(model, test, batch, stopAtFirst);
                 hitTest = (found & ~hits) != 0 ? index : hitTest;
                 hits |= found;
-                if (hits == ALL || (stopAtFirst && hits != 0))
+                if (hits == ALL<Lanes> || (stopAtFirst && hits != 0))
                 {
                     break;
                 }
@@ -350,22 +348,20 @@ namespace ompl_mfa::robots
             return hits;
         }
 
-        template <std::size_t N>
-        Batch<N> &batchFor(const RobotKinematics &kinematics, const BallModel &model)
+        template <typename Lanes>
+        Batch<Lanes> &batchFor(const RobotKinematics &kinematics, const BallModel &model)
         {
-            thread_local Batch<N> batch;
+            thread_local Batch<Lanes> batch;
             if (batch.bodies.size() < kinematics.bodyCount())
             {
                 batch.bodies.resize(kinematics.bodyCount());
                 // Body 0 stands still.
-                for (std::size_t i = 0; i < N; ++i)
+                const Lanes zero{};
+                for (int k = 0; k < 9; ++k)
                 {
-                    for (int k = 0; k < 9; ++k)
-                    {
-                        batch.bodies[0].r[k].v[i] = k % 4 == 0 ? 1. : 0.;
-                    }
-                    batch.bodies[0].t.x.v[i] = batch.bodies[0].t.y.v[i] = batch.bodies[0].t.z.v[i] = 0.;
+                    batch.bodies[0].r[k] = zero + (k % 4 == 0 ? 1. : 0.);
                 }
+                batch.bodies[0].t = {zero, zero, zero};
             }
             if (batch.hulls.size() < model.links.size())
             {
@@ -388,9 +384,9 @@ namespace ompl_mfa::robots
                                                                    const BallModel &model, const double *const *states,
                                                                    const std::vector<std::uint32_t> &order,
                                                                    bool stopAtFirst, std::uint32_t &hitTest,
-                                                                   Batch<BallChecker::LANES> &batch)
+                                                                   Batch<Four> &batch)
         {
-            return check<BallChecker::LANES>(kinematics, model, states, order, stopAtFirst, hitTest, batch);
+            return check<Four>(kinematics, model, states, order, stopAtFirst, hitTest, batch);
         }
 #endif
     }  // namespace
@@ -411,11 +407,11 @@ namespace ompl_mfa::robots
     {
         if (count == 1 || instructions_ == Instructions::Scalar)
         {
-            Batch<1> &batch = batchFor<1>(kinematics_, model_);
+            Batch<double> &batch = batchFor<double>(kinematics_, model_);
             unsigned int hits = 0;
             for (std::size_t i = 0; i < count && (hits == 0 || !stopAtFirst); ++i)
             {
-                hits |= check<1>(kinematics_, model_, states + i, order, stopAtFirst, hitTest, batch) << i;
+                hits |= check<double>(kinematics_, model_, states + i, order, stopAtFirst, hitTest, batch) << i;
             }
             return hits;
         }
@@ -424,7 +420,7 @@ namespace ompl_mfa::robots
         {
             all[i] = states[i < count ? i : 0];
         }
-        Batch<LANES> &batch = batchFor<LANES>(kinematics_, model_);
+        Batch<Four> &batch = batchFor<Four>(kinematics_, model_);
         const unsigned int wanted = (1U << count) - 1U;
 #if OMPL_MFA_HAS_AVX2
         if (hasAvx2_)
@@ -432,6 +428,6 @@ namespace ompl_mfa::robots
             return checkWithAvx2(kinematics_, model_, all, order, stopAtFirst, hitTest, batch) & wanted;
         }
 #endif
-        return check<LANES>(kinematics_, model_, all, order, stopAtFirst, hitTest, batch) & wanted;
+        return check<Four>(kinematics_, model_, all, order, stopAtFirst, hitTest, batch) & wanted;
     }
 }  // namespace ompl_mfa::robots
