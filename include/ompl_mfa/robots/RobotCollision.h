@@ -166,6 +166,11 @@ namespace ompl_mfa::robots
         double worldDistance(const LinkItem &link, Scratch &scratch, double limit) const;
         double linkDistance(const LinkItem &first, const LinkItem &second, Scratch &scratch, double limit) const;
 
+        bool touchesObstacle(const LinkItem &link, std::size_t obstacle, const fcl::Vector3d &offset,
+                             Scratch &scratch) const;
+        bool touchesLink(const LinkItem &link, const LinkItem &other, const fcl::Vector3d &offset,
+                         Scratch &scratch) const;
+
         RobotKinematics kinematics_;
         std::unique_ptr<Data> data_;
     };
