@@ -91,6 +91,7 @@ namespace ompl_mfa::robots
         const auto ballsOf = [this](const std::vector<std::size_t> &parts)
         {
             std::vector<BallModel::Ball> balls;
+            balls.reserve(parts.size());
             for (const std::size_t part : parts)
             {
                 balls.push_back({data_->parts[part].centre, data_->parts[part].radius});

@@ -82,7 +82,9 @@ namespace ompl_mfa::robots
 
             unsigned int validSegmentCount(const ob::State *first, const ob::State *second) const override
             {
-                return ob::StateSpace::validSegmentCount(first, second);
+                // As in spaces that are no compounds: steps of a length in this space, not in one of the joints.
+                return getValidSegmentCountFactor() *
+                       static_cast<unsigned int>(std::ceil(distance(first, second) / getLongestValidSegmentLength()));
             }
         };
 

@@ -41,7 +41,7 @@
 
 namespace ompl_mfa::robots
 {
-    ObstacleTree::ObstacleTree(std::vector<fcl::AABBd> boxes)
+    ObstacleTree::ObstacleTree(const std::vector<fcl::AABBd> &boxes)
     {
         std::vector<std::size_t> order(boxes.size());
         std::iota(order.begin(), order.end(), 0);

@@ -50,7 +50,7 @@ namespace ompl_mfa::robots
     {
     public:
         ObstacleTree() = default;
-        explicit ObstacleTree(std::vector<fcl::AABBd> boxes);
+        explicit ObstacleTree(const std::vector<fcl::AABBd> &boxes);
 
         /** \brief Call `visit(index)` for the boxes closer than a distance to the surface of a ball, the closer branch
             of the tree first.

@@ -105,7 +105,7 @@ namespace ompl_mfa::robots
                                                       std::vector<JointBox> boxes)
     {
         const auto sampler = std::make_shared<GoalStatesSampler>(si, joints, robot, poses, std::move(boxes));
-        const auto goal = std::make_shared<ob::GoalLazySamples>(
+        auto goal = std::make_shared<ob::GoalLazySamples>(
             si,
             [sampler](const ob::GoalLazySamples *lazy, ob::State *state)
             {

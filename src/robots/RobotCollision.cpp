@@ -219,7 +219,7 @@ namespace ompl_mfa::robots
             boxes.push_back(collision::boundingBox(*object.geometry, object.pose));
             data_->obstacles.push_back({object.id, object.geometry, object.pose, boxes.back()});
         }
-        data_->tree = ObstacleTree(std::move(boxes));
+        data_->tree = ObstacleTree(boxes);
         for (const Part &part : data_->parts)
         {
             for (const Data::Obstacle &obstacle : data_->obstacles)

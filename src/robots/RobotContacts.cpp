@@ -70,12 +70,17 @@ namespace ompl_mfa::robots
         // The best of the directions to the 26 neighbours of a cube.
         double depth(const Touches &touches)
         {
-            constexpr int MIDDLE = 13;
             double best = std::numeric_limits<double>::infinity();
-            for (int code = 0; code < 27; ++code)
+            for (const double x : {-1., 0., 1.})
             {
-                const fcl::Vector3d neighbour(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
-                best = code == MIDDLE ? best : separation(neighbour.normalized(), best, touches);
+                for (const double y : {-1., 0., 1.})
+                {
+                    for (const double z : {-1., 0., 1.})
+                    {
+                        const fcl::Vector3d neighbour(x, y, z);
+                        best = neighbour.isZero() ? best : separation(neighbour.normalized(), best, touches);
+                    }
+                }
             }
             return best;
         }

@@ -293,7 +293,7 @@ namespace ompl_mfa::robots
         if (requested.pose)
         {
             // Finds faults.
-            PoseSampler(robot_, *requested.pose);
+            static_cast<void>(PoseSampler(robot_, *requested.pose));
             goal.pose = requested.pose;
             return goal;
         }
@@ -421,7 +421,7 @@ namespace ompl_mfa::robots
     ompl::geometric::SimpleSetupPtr RobotProblem::makeSetup() const
     {
         const JointSpace joints = makeSpace();
-        const auto setup = std::make_shared<ompl::geometric::SimpleSetup>(joints.space());
+        auto setup = std::make_shared<ompl::geometric::SimpleSetup>(joints.space());
         joints.space()->setLongestValidSegmentFraction(
             std::min(0.5, DEFAULT_STEP / joints.space()->getMaximumExtent()));
         setChecks(setup->getSpaceInformation(), joints, collision::MotionValidation::Discrete);

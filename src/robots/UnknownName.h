@@ -60,6 +60,7 @@ namespace ompl_mfa::robots
     std::vector<std::string> namesOf(const std::vector<Named> &all)
     {
         std::vector<std::string> names;
+        names.reserve(all.size());
         for (const Named &one : all)
         {
             names.push_back(one.name);

@@ -94,7 +94,7 @@ namespace ompl_mfa::robots
 
     std::string XmlFile::required(const tinyxml2::XMLElement &element, const char *attribute) const
     {
-        const std::string value = XmlFile::attribute(element, attribute);
+        std::string value = XmlFile::attribute(element, attribute);
         if (value.empty())
         {
             fail(element, std::string("<") + element.Name() + "> needs the attribute '" + attribute + "'");

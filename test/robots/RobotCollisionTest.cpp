@@ -474,7 +474,7 @@ namespace ompl_mfa::robots
                 EXPECT_FALSE(RobotCollision(placed(one, false, clutter())).isOfBalls());
                 RandomJoints random(robot);
                 constexpr std::size_t COUNT = 7;
-                for (int batch = 0; batch < (one.name == "picker" ? 50000 : 5000); ++batch)
+                for (int batch = 0; batch < (one.name == "picker" ? 135000 : 5000); ++batch)
                 {
                     std::vector<std::vector<double>> states;
                     std::vector<const double *> pointers;
