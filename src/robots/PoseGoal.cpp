@@ -36,6 +36,10 @@
 
 #include "robots/PoseGoal.h"
 
+#include <chrono>
+#include <thread>
+#include <utility>
+
 #include <ompl/util/Console.h>
 #include <ompl/util/Time.h>
 
@@ -107,8 +111,15 @@ namespace ompl_mfa::robots
         const auto sampler = std::make_shared<GoalStatesSampler>(si, joints, robot, poses, std::move(boxes));
         auto goal = std::make_shared<ob::GoalLazySamples>(
             si,
-            [sampler](const ob::GoalLazySamples *lazy, ob::State *state)
+            [sampler, isFirst = true](const ob::GoalLazySamples *lazy, ob::State *state) mutable
             {
+                if (std::exchange(isFirst, false) && lazy->hasStates())
+                {
+                    // A known state, which is not added again: OMPL warns of a thread that was stopped before it had
+                    // any.
+                    lazy->getSpaceInformation()->copyState(state, lazy->getState(0));
+                    return true;
+                }
                 // Only successes are returned, as OMPL adds whatever state is valid.
                 while (lazy->isSampling())
                 {
@@ -135,6 +146,10 @@ namespace ompl_mfa::robots
             OMPL_WARN("no free state at the pose of the goal was found in %.0f s; sampling goes on", FIRST_SEARCH);
         }
         goal->startSampling();
+        while (goal->hasStates() && goal->samplingAttemptsCount() == 0 && ompl::time::now() < end)
+        {
+            std::this_thread::sleep_for(std::chrono::microseconds(50));
+        }
         return goal;
     }
 }  // namespace ompl_mfa::robots
