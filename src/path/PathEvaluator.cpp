@@ -376,7 +376,7 @@ namespace ompl_mfa::path
         {
             return a.violation < b.violation;
         }
-        return objective_->isCostBetterThan(ob::Cost(a.cost), ob::Cost(b.cost));
+        return isBetter(a.cost, b.cost);
     }
 
     double PathEvaluator::withSlack(double cost, double factor) const
@@ -386,7 +386,7 @@ namespace ompl_mfa::path
             return cost;
         }
         const double slack = factor * cost;
-        return std::isfinite(slack) && objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(slack)) ? slack : cost;
+        return std::isfinite(slack) && isBetter(cost, slack) ? slack : cost;
     }
 
     Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival)

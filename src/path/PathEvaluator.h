@@ -180,6 +180,12 @@ namespace ompl_mfa::path
         /** \brief The same for a path whose \e cost is known. */
         Brightness evaluate(const Waypoints &path, ompl::base::Cost cost, const Brightness *rival);
 
+        /** \brief Whether the objective prefers the cost \e a to \e b. */
+        bool isBetter(double a, double b) const
+        {
+            return objective_->isCostBetterThan(ompl::base::Cost(a), ompl::base::Cost(b));
+        }
+
         bool isBrighter(const Brightness &a, const Brightness &b) const;
 
         /** \brief \e factor (at least 1) times \e cost if that is finite and worse than \e cost, else \e cost: a factor

@@ -234,11 +234,6 @@ namespace ompl_mfa::engine::graph
         return valid;
     }
 
-    bool LazyGraph::better(double a, double b) const
-    {
-        return evaluator_.objective()->isCostBetterThan(ob::Cost(a), ob::Cost(b));
-    }
-
     double LazyGraph::combine(double a, double b) const
     {
         return evaluator_.objective()->combineCosts(ob::Cost(a), ob::Cost(b)).value();
@@ -246,26 +241,26 @@ namespace ompl_mfa::engine::graph
 
     bool LazyGraph::canBeat(double cost, double bound) const
     {
-        return std::isinf(bound) || better(cost, bound);
+        return std::isinf(bound) || evaluator_.isBetter(cost, bound);
     }
 
     /* Whether a path can beat \e bound but not \e than. */
     bool LazyGraph::isWorse(double bound, double than) const
     {
-        return !std::isinf(than) && (std::isinf(bound) || better(than, bound));
+        return !std::isinf(than) && (std::isinf(bound) || evaluator_.isBetter(than, bound));
     }
 
     void LazyGraph::push(const QueueEntry &entry)
     {
         queue_.push_back(entry);
         std::push_heap(queue_.begin(), queue_.end(),
-                       [this](const QueueEntry &a, const QueueEntry &b) { return better(b.key, a.key); });
+                       [this](const QueueEntry &a, const QueueEntry &b) { return evaluator_.isBetter(b.key, a.key); });
     }
 
     LazyGraph::QueueEntry LazyGraph::pop()
     {
         std::pop_heap(queue_.begin(), queue_.end(),
-                      [this](const QueueEntry &a, const QueueEntry &b) { return better(b.key, a.key); });
+                      [this](const QueueEntry &a, const QueueEntry &b) { return evaluator_.isBetter(b.key, a.key); });
         const QueueEntry entry = queue_.back();
         queue_.pop_back();
         return entry;
@@ -355,7 +350,7 @@ namespace ompl_mfa::engine::graph
         double best = evaluator_.objective()->infiniteCost().value();
         for (const End &start : starts_)
         {
-            if (better(start.cost, best))
+            if (evaluator_.isBetter(start.cost, best))
             {
                 best = start.cost;
             }
@@ -388,7 +383,7 @@ namespace ompl_mfa::engine::graph
             }
             const QueueEntry entry = pop();
             Vertex &vertex = vertices_[entry.index];
-            if (better(vertex.costToGo, entry.key))
+            if (evaluator_.isBetter(vertex.costToGo, entry.key))
             {
                 continue;
             }
@@ -473,7 +468,7 @@ namespace ompl_mfa::engine::graph
             return false;
         }
         const double cost = combine(edge.cost, vertices_[edge.to].costToGo);
-        if (vertex.reaches && !better(cost, vertex.costToGo))
+        if (vertex.reaches && !evaluator_.isBetter(cost, vertex.costToGo))
         {
             return false;
         }

@@ -207,7 +207,6 @@ namespace ompl_mfa::engine::graph
         };
 
         static std::vector<std::size_t> verticesOf(const std::vector<End> &ends);
-        bool better(double a, double b) const;
         double combine(double a, double b) const;
         bool canBeat(double cost, double bound) const;
         bool isWorse(double bound, double than) const;
