@@ -53,6 +53,7 @@
 #include "cli/NumberOption.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
+#include "ompl_mfa/benchmark/ResultsDatabase.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::cli
@@ -71,6 +72,7 @@ namespace ompl_mfa::cli
             std::string config;
             std::string output;
             std::string shard;
+            std::string database;
             benchmark::CampaignOptions campaign;
             bool quiet{false};
             bool json{false};
@@ -204,6 +206,11 @@ namespace ompl_mfa::cli
             const benchmark::BenchmarkConfig config = benchmark::readBenchmarkConfig(options.config);
             const benchmark::Campaign campaign = benchmark::makeCampaign(config);
             campaign.validate();
+            const auto database = benchmark::writtenPath(options.database, "--database " + options.database);
+            if (!database.empty())
+            {
+                benchmark::prepareDatabase(database);
+            }
             options.campaign.log = options.output.empty()
                                        ? benchmark::logFile(config, options.campaign.shard, options.campaign.shards)
                                        : benchmark::writtenPath(options.output, "--output " + options.output);
@@ -211,6 +218,10 @@ namespace ompl_mfa::cli
             options.campaign.terminal = isatty(STDERR_FILENO) != 0;
 
             const benchmark::CampaignResult result = campaign.run(options.campaign);
+            if (!database.empty())
+            {
+                benchmark::addToDatabase(database, result.log);
+            }
             const auto summaries = summarize(result.log);
             if (options.json)
             {
@@ -235,6 +246,8 @@ namespace ompl_mfa::cli
         auto *command = app.add_subcommand("benchmark", "Run the planners of an OMPL benchmark config and write a log");
         command->add_option("config", options->config, "OMPL benchmark config (.cfg)")->required();
         command->add_option("--output", options->output, "The log; without it NAME.log where benchmark.output says");
+        command->add_option("--database", options->database,
+                            "Add the runs to this SQLite database for Planner Arena, which may hold other campaigns");
         command->add_option("--jobs", options->campaign.jobs, "Runs at the same time")
             ->check(CLI::Range(1, 4096))
             ->capture_default_str();
