@@ -141,6 +141,6 @@ namespace ompl_mfa::path
         }
 
         INSTANTIATE_TEST_SUITE_P(Directions, TreeSteps, ::testing::Bool(),
-                                 [](const auto &info) { return info.param ? "Forward" : "Backward"; });
+                                 [](const auto &tested) { return tested.param ? "Forward" : "Backward"; });
     }  // namespace
 }  // namespace ompl_mfa::path
