@@ -1,0 +1,293 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
+#include "engine/StrictAnswer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace ompl_mfa::engine
+{
+    namespace
+    {
+        /* Fractions of the work that may be spent on full checks: for any improvement, for the first answer that is
+           checked in full, and for one that is better by the fraction NOTABLE. */
+        constexpr double FULL_SHARE = 0.02;
+        constexpr double FIRST_SHARE = 0.04;
+        constexpr double NOTABLE_SHARE = 0.08;
+        constexpr double NOTABLE = 0.01;
+        /* The same for checks near corners, and the least improvement. */
+        constexpr double CORNER_SHARE = 0.1;
+        constexpr double CORNER_NOTABLE = 0.003;
+        /* Attempts for one improvement that are made on demand; each draws other random states. */
+        constexpr unsigned int MAX_ATTEMPTS = 5;
+        /* Without an answer, the incumbent is returned once the work has grown by this factor and by this amount since
+           the first attempt. */
+        constexpr std::uint64_t GRACE_FACTOR = 2;
+        constexpr std::uint64_t GRACE = 20000;
+        /* States that a repair may have inserted into one motion. */
+        constexpr std::size_t MAX_INSERTED = 16;
+    }  // namespace
+
+    StrictAnswer::StrictAnswer(SearchContext &context)
+      : context_(context)
+      , repair_(context.chart, context.evaluator(),
+                static_cast<std::uint_fast32_t>(streamSeed(context.seed, Stream::Strict)))
+      , checked_(context.chart->space())
+    {
+    }
+
+    bool StrictAnswer::isActive() const
+    {
+        const SearchSettings &settings = context_.settings;
+        return settings.strictness > 1 && !settings.isPaper() && context_.evaluator().isDiscrete();
+    }
+
+    void StrictAnswer::update(bool demanded)
+    {
+        const Incumbent &incumbent = context_.incumbent;
+        if (!incumbent.hasPath())
+        {
+            return;
+        }
+        if (!isActive())
+        {
+            giveUp();
+            return;
+        }
+        const bool improved = full_.tried != incumbent.improvements();
+        const bool again = demanded && !full_.succeeded && full_.attempts < MAX_ATTEMPTS;
+        if (!demanded && !isSingleMotion() && areCornersDue())
+        {
+            make(Level::Corners);
+        }
+        else if (improved ? demanded || isFullCheckDue() : again)
+        {
+            make(Level::Everywhere);
+        }
+        if (level_ == Level::Nowhere && begin_ > 0 && context_.evaluator().work() >= GRACE_FACTOR * begin_ + GRACE)
+        {
+            giveUp();
+        }
+    }
+
+    void StrictAnswer::giveUp()
+    {
+        const Incumbent &incumbent = context_.incumbent;
+        if (incumbent.hasPath() && (level_ == Level::Nowhere || !isActive()))
+        {
+            context_.answer.offer(incumbent.path(), incumbent.cost(), incumbent.origin());
+        }
+    }
+
+    bool StrictAnswer::isBetterBy(double fraction) const
+    {
+        const double before = context_.answer.cost();
+        const double now = context_.incumbent.cost();
+        return !std::isfinite(before) || !std::isfinite(now) || std::abs(before - now) >= fraction * std::abs(before);
+    }
+
+    /* Probably the shortest path, which ends the search. */
+    bool StrictAnswer::isSingleMotion() const
+    {
+        return context_.incumbent.path().size() == 2;
+    }
+
+    bool StrictAnswer::isAffordable(std::uint64_t work, double share) const
+    {
+        return static_cast<double>(work) <= share * static_cast<double>(context_.evaluator().work());
+    }
+
+    bool StrictAnswer::isFullCheckDue() const
+    {
+        if (isSingleMotion() && level_ != Level::Everywhere)
+        {
+            return true;
+        }
+        const double share = level_ != Level::Everywhere ? FIRST_SHARE
+                             : isBetterBy(NOTABLE)       ? NOTABLE_SHARE
+                                                         : FULL_SHARE;
+        if (!isAffordable(full_.spent, share))
+        {
+            return false;
+        }
+        // an answer checked in full exists: most motions of the next one may be known
+        const std::uint64_t expected =
+            full_.succeeded ? full_.last
+                            : context_.settings.strictness * context_.evaluator().checkWork(context_.incumbent.path());
+        return isAffordable(full_.spent + expected, share);
+    }
+
+    bool StrictAnswer::areCornersDue() const
+    {
+        return level_ != Level::Everywhere && corners_.tried != context_.incumbent.improvements() &&
+               isBetterBy(CORNER_NOTABLE) &&
+               (begin_ == 0 || isAffordable(corners_.spent + corners_.last, CORNER_SHARE));
+    }
+
+    void StrictAnswer::make(Level level)
+    {
+        path::PathEvaluator &evaluator = context_.evaluator();
+        const Incumbent &incumbent = context_.incumbent;
+        Effort &effort = level == Level::Everywhere ? full_ : corners_;
+        const std::uint64_t before = evaluator.work();
+        path::Waypoints path = incumbent.path();
+        effort.succeeded = check(level, path);
+        const ob::Cost cost = effort.succeeded ? evaluator.cost(path) : context_.objective().infiniteCost();
+        evaluator.addWork(path.size());
+        effort.last = evaluator.work() - before;
+        effort.spent += effort.last;
+        begin_ = begin_ == 0 ? std::max<std::uint64_t>(before, 1) : begin_;
+        if (evaluator.interrupted())
+        {
+            effort.succeeded = false;
+            return;
+        }
+        effort.attempts = effort.tried == incumbent.improvements() ? effort.attempts + 1 : 1;
+        effort.tried = incumbent.improvements();
+        if (!effort.succeeded)
+        {
+            return;
+        }
+        remember(path, level);
+        if (context_.answer.offer(path, cost.value(), incumbent.origin()))
+        {
+            level_ = level;
+        }
+        else if (cost.value() == context_.answer.cost())
+        {
+            level_ = std::max(level_, level);
+        }
+    }
+
+    /* Repairs \e path where a check of \e level fails. */
+    bool StrictAnswer::check(Level level, path::Waypoints &path)
+    {
+        using Knowledge = refinement::PathRepair::Knowledge;
+        insertKnownRepairs(path);
+        incumbentHint_ = 0;
+        checkedHint_ = 0;
+        const path::FinenessScope fine(context_.evaluator(), context_.settings.strictness, level == Level::Corners);
+        return repair_.repair(path,
+                              [&](const ob::State *from, const ob::State *to)
+                              {
+                                  const Level known = levelOf(from, to);
+                                  if (known >= level)
+                                  {
+                                      return Knowledge::FinelyValid;
+                                  }
+                                  return known != Level::Nowhere ||
+                                                 isMotionOf(context_.incumbent.path(), incumbentHint_, from, to)
+                                             ? Knowledge::Valid
+                                             : Knowledge::Nothing;
+                              });
+    }
+
+    /* A motion of the incumbent that was repaired before is repaired in the same way. */
+    void StrictAnswer::insertKnownRepairs(path::Waypoints &path)
+    {
+        const auto &si = *context_.spaceInformation();
+        for (std::size_t i = 1; i < path.size(); ++i)
+        {
+            const std::size_t from = find(checked_, checkedHint_, path[i - 1]);
+            std::size_t to = from + 1;
+            while (to < checked_.size() && !original_[to] && to <= from + MAX_INSERTED)
+            {
+                ++to;
+            }
+            if (to >= checked_.size() || !si.equalStates(checked_[to], path[i]))
+            {
+                continue;
+            }
+            for (std::size_t k = from + 1; k < to; ++k, ++i)
+            {
+                path.insert(i, checked_[k]);
+            }
+        }
+    }
+
+    /* The index of \e state in \e path, its size if it is not there. The search begins at \e hint, where the last one
+       ended. */
+    std::size_t StrictAnswer::find(const path::Waypoints &path, std::size_t &hint, const ob::State *state) const
+    {
+        for (std::size_t k = 0; k < path.size(); ++k)
+        {
+            const std::size_t i = (hint + k) % path.size();
+            if (context_.spaceInformation()->equalStates(path[i], state))
+            {
+                hint = i;
+                return i;
+            }
+        }
+        return path.size();
+    }
+
+    bool StrictAnswer::isMotionOf(const path::Waypoints &path, std::size_t &hint, const ob::State *from,
+                                  const ob::State *to) const
+    {
+        const std::size_t i = find(path, hint, from);
+        return i + 1 < path.size() && context_.spaceInformation()->equalStates(path[i + 1], to);
+    }
+
+    StrictAnswer::Level StrictAnswer::levelOf(const ob::State *from, const ob::State *to)
+    {
+        return isMotionOf(checked_, checkedHint_, from, to) ? levels_[checkedHint_ + 1] : Level::Nowhere;
+    }
+
+    void StrictAnswer::remember(const path::Waypoints &path, Level level)
+    {
+        const path::Waypoints &incumbent = context_.incumbent.path();
+        std::vector<Level> levels{level};
+        std::vector<bool> original;
+        for (std::size_t i = 1; i < path.size(); ++i)
+        {
+            levels.push_back(std::max(level, levelOf(path[i - 1], path[i])));
+        }
+        for (std::size_t i = 0, next = 0; i < path.size(); ++i)
+        {
+            const bool same =
+                next < incumbent.size() && context_.spaceInformation()->equalStates(path[i], incumbent[next]);
+            next += same ? 1 : 0;
+            original.push_back(same);
+        }
+        checked_ = path;
+        levels_ = std::move(levels);
+        original_ = std::move(original);
+    }
+}  // namespace ompl_mfa::engine

@@ -1,0 +1,131 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
+#ifndef OMPL_MFA_ENGINE_STRICT_ANSWER_
+#define OMPL_MFA_ENGINE_STRICT_ANSWER_
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/SearchContext.h"
+#include "engine/refinement/PathRepair.h"
+#include "path/Waypoints.h"
+
+namespace ompl_mfa::engine
+{
+    /** \brief Makes the answer of a search from its incumbent: the path that is returned.
+
+        The incumbent is valid at OMPL's resolution and touches obstacles, so at a finer one it often is not. The answer
+        is the incumbent checked at \e strictness times the resolution and led around what is found invalid there. That
+        is too expensive for each improvement, so it is done as often as a small fraction of the work allows. Until the
+        first such answer can be afforded, notably better paths become the answer once they are checked near their
+        corners. The parts of the search do not know the answer.
+
+        With a strictness of 1, in the paper's algorithm, and with a motion validator that does not check motions at
+        discrete states, the answer is the incumbent. */
+    class StrictAnswer
+    {
+    public:
+        /** \brief \e context must outlive the object. */
+        explicit StrictAnswer(SearchContext &context);
+
+        /** \brief Makes a new answer if there is a better incumbent and that is due. With \e demanded the full check is
+            due now, for a few attempts an improvement. After a long search without an answer, the incumbent becomes the
+            answer as it is. */
+        void update(bool demanded = false);
+
+        /** \brief Makes the incumbent the answer as it is, unless there is one that was checked: nothing more can be
+            done. */
+        void giveUp();
+
+        /** \brief Whether the answer was checked in full. */
+        bool isStrict() const
+        {
+            return level_ == Level::Everywhere;
+        }
+
+        /** \brief Whether the answer may differ from the incumbent. */
+        bool isActive() const;
+
+    private:
+        /* Where a path or a motion was checked at the finer resolution. */
+        enum class Level : unsigned char
+        {
+            Nowhere,
+            Corners,
+            Everywhere
+        };
+
+        /* Attempts of one level. */
+        struct Effort
+        {
+            std::uint64_t spent{0};    ///< work of all attempts
+            std::uint64_t last{0};     ///< work of the last attempt
+            std::uint64_t tried{0};    ///< improvements of the incumbent at the last attempt
+            unsigned int attempts{0};  ///< for that improvement
+            bool succeeded{false};     ///< the last attempt
+        };
+
+        bool isBetterBy(double fraction) const;
+        bool isSingleMotion() const;
+        bool isAffordable(std::uint64_t work, double share) const;
+        bool isFullCheckDue() const;
+        bool areCornersDue() const;
+        void make(Level level);
+        bool check(Level level, path::Waypoints &path);
+        void insertKnownRepairs(path::Waypoints &path);
+        std::size_t find(const path::Waypoints &path, std::size_t &hint, const ompl::base::State *state) const;
+        bool isMotionOf(const path::Waypoints &path, std::size_t &hint, const ompl::base::State *from,
+                        const ompl::base::State *to) const;
+        Level levelOf(const ompl::base::State *from, const ompl::base::State *to);
+        void remember(const path::Waypoints &path, Level level);
+
+        SearchContext &context_;
+        refinement::PathRepair repair_;
+        path::Waypoints checked_;     ///< the last path that was found valid
+        std::vector<Level> levels_;   ///< of the motion to each state of checked_
+        std::vector<bool> original_;  ///< whether a state of checked_ is one of the incumbent
+        std::size_t checkedHint_{0};  ///< where a state was found last
+        std::size_t incumbentHint_{0};
+        Effort full_;
+        Effort corners_;
+        std::uint64_t begin_{0};       ///< work before the first attempt; 0: none
+        Level level_{Level::Nowhere};  ///< of the answer
+    };
+}  // namespace ompl_mfa::engine
+
+#endif
