@@ -40,10 +40,9 @@
 #include <cmath>
 #include <utility>
 
-#include <ompl/base/DiscreteMotionValidator.h>
-#include <ompl/base/spaces/DubinsStateSpace.h>
-#include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/util/Exception.h>
+
+#include "path/FineChecks.h"
 
 namespace ob = ompl::base;
 
@@ -191,10 +190,7 @@ namespace ompl_mfa::path
 
     bool PathEvaluator::isDiscrete() const
     {
-        const ob::MotionValidator *const validator = si_->getMotionValidator().get();
-        return dynamic_cast<const ob::DiscreteMotionValidator *>(validator) != nullptr ||
-               dynamic_cast<const ob::DubinsMotionValidator *>(validator) != nullptr ||
-               dynamic_cast<const ob::ReedsSheppMotionValidator *>(validator) != nullptr;
+        return hasDiscreteMotionChecks(*si_);
     }
 
     void PathEvaluator::setFineness(unsigned int fineness, bool endsOnly)

@@ -138,9 +138,7 @@ namespace ompl_mfa::path
             return stride_;
         }
 
-        /** \brief Whether motions are checked at the states of a resolution: by OMPL's DiscreteMotionValidator,
-            DubinsMotionValidator or ReedsSheppMotionValidator, or one derived from them. Any other motion validator is
-            assumed to check motions continuously. */
+        /** \brief See hasDiscreteMotionChecks(). */
         bool isDiscrete() const;
 
         /** \brief From now on a motion that is valid is also checked at \e fineness (at least 1) times OMPL's
