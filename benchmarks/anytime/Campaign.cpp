@@ -126,10 +126,11 @@ namespace ompl_mfa::anytime
             }
             if (result.at("solved"))
             {
-                report.text += ", cost " + text::numberText(result.at("cost"), 6) +
-                               (!result.at("valid")  ? ", which fails check()"
-                                : !result.at("strict") ? ", which fails at " + std::to_string(STRICTNESS) + " times the resolution"
-                                                       : "");
+                report.text +=
+                    ", cost " + text::numberText(result.at("cost"), 6) +
+                    (!result.at("valid")    ? ", which fails check()"
+                     : !result.at("strict") ? ", which fails at " + std::to_string(STRICTNESS) + " times the resolution"
+                                            : "");
             }
             return report;
         }

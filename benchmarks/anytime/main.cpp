@@ -161,9 +161,10 @@ namespace
 
     void run(const Options &options)
     {
-        const anytime::CampaignRequest request{anytime::selectWorlds(options.worlds, options.generated, options.configs),
-                                               anytime::splitPlanners(options.planners), options.seeds, options.time,
-                                               options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::Wall};
+        const anytime::CampaignRequest request{
+            anytime::selectWorlds(options.worlds, options.generated, options.configs),
+            anytime::splitPlanners(options.planners), options.seeds, options.time,
+            options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::Wall};
         ompl_mfa::campaign::RunOptions runs;
         runs.journal = options.runs;
         runs.jobs = options.jobs;
@@ -201,8 +202,9 @@ namespace
 
     void addWorldOptions(CLI::App &command, Options &options)
     {
-        command.add_option("--worlds", options.worlds,
-                           "regular expression that selects worlds; all, or none with --generated or --configs, if not given");
+        command.add_option(
+            "--worlds", options.worlds,
+            "regular expression that selects worlds; all, or none with --generated or --configs, if not given");
         command.add_option("--generated", options.generated,
                            "worlds of any seed, such as random_boxes_8d_101 arm_7_{11..15}; `list` has the families");
         command.add_option("--configs", options.configs, "config files of problems, each a world named by its stem")

@@ -67,7 +67,8 @@ namespace ompl_mfa::engine
         Recombination = 10,  ///< fresh states for recombination
 
         // of a run
-        Strict = 17  ///< PathRepair in StrictAnswer
+        Strict = 17,           ///< PathRepair in StrictAnswer
+        StrictTightening = 18  ///< PathTightening in StrictAnswer
     };
 
     /** \brief The seed of \e stream, or of its \e index-th instance if there are several. \e seed is that of the run,

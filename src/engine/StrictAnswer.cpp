@@ -46,15 +46,26 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* Fractions of the work that may be spent on full checks: for any improvement, for the first answer that is
-           checked in full, and for one that is better by the fraction NOTABLE. */
-        constexpr double FULL_SHARE = 0.02;
-        constexpr double FIRST_SHARE = 0.04;
-        constexpr double NOTABLE_SHARE = 0.08;
+        /* A path better by this fraction is a notable improvement. While these follow each other, checks in full can
+           wait: until the work has grown by this factor since the last one. */
         constexpr double NOTABLE = 0.01;
+        constexpr double QUIET = 1.5;
+        /* Fractions of the work that may be spent on checks in full: for the first answer that is checked so, then and
+           before; for any improvement, and for one that is worth the check. */
+        constexpr double FIRST_SHARE = 0.04;
+        constexpr double EARLY_SHARE = 0.01;
+        constexpr double FULL_SHARE = 0.01;
+        constexpr double WORTH_SHARE = 0.05;
+        /* A check is worth its fraction of the work so far if the path is better by this times that. */
+        constexpr double WORTH = 0.3;
         /* The same for checks near corners, and the least improvement. */
         constexpr double CORNER_SHARE = 0.1;
-        constexpr double CORNER_NOTABLE = 0.003;
+        constexpr double CORNER_NOTABLE = 0.001;
+        /* Share of the work for tightening the answer, in turns of this many checks of it, and the least excess over
+           the incumbent that is worth it. */
+        constexpr double TIGHTEN_SHARE = 0.01;
+        constexpr std::uint64_t TIGHTEN_FACTOR = 2;
+        constexpr double TIGHTEN_EXCESS = 1e-4;
         /* Attempts for one improvement that are made on demand; each draws other random states. */
         constexpr unsigned int MAX_ATTEMPTS = 5;
         /* Without an answer, the incumbent is returned once the work has grown by this factor and by this amount since
@@ -69,6 +80,8 @@ namespace ompl_mfa::engine
       : context_(context)
       , repair_(context.chart, context.evaluator(),
                 static_cast<std::uint_fast32_t>(streamSeed(context.seed, Stream::Strict)))
+      , tightening_(context.chart, context.evaluator(),
+                    static_cast<std::uint_fast32_t>(streamSeed(context.seed, Stream::StrictTightening)))
       , checked_(context.chart->space())
     {
     }
@@ -91,6 +104,7 @@ namespace ompl_mfa::engine
             giveUp();
             return;
         }
+        watchImprovements();
         const bool improved = full_.tried != incumbent.improvements();
         const bool again = demanded && !full_.succeeded && full_.attempts < MAX_ATTEMPTS;
         if (!demanded && !isSingleMotion() && areCornersDue())
@@ -100,6 +114,10 @@ namespace ompl_mfa::engine
         else if (improved ? demanded || isFullCheckDue() : again)
         {
             make(Level::Everywhere);
+        }
+        else if (!demanded && isTighteningDue())
+        {
+            tighten();
         }
         if (level_ == Level::Nowhere && begin_ > 0 && context_.evaluator().work() >= GRACE_FACTOR * begin_ + GRACE)
         {
@@ -140,25 +158,67 @@ namespace ompl_mfa::engine
         {
             return true;
         }
-        const double share = level_ != Level::Everywhere ? FIRST_SHARE
-                             : isBetterBy(NOTABLE)       ? NOTABLE_SHARE
-                                                         : FULL_SHARE;
-        if (!isAffordable(full_.spent, share))
+        const auto work = static_cast<double>(context_.evaluator().work());
+        // most motions of the next one may be known
+        const std::uint64_t expected = full_.succeeded ? full_.last : fullCheckWork(context_.incumbent.path());
+        if (level_ != Level::Everywhere)
         {
-            return false;
+            return isAffordable(full_.spent + expected, work >= QUIET * notable_.work ? FIRST_SHARE : EARLY_SHARE);
         }
-        // an answer checked in full exists: most motions of the next one may be known
-        const std::uint64_t expected =
-            full_.succeeded ? full_.last
-                            : context_.settings.strictness * context_.evaluator().checkWork(context_.incumbent.path());
-        return isAffordable(full_.spent + expected, share);
+        const bool worth = isBetterBy(WORTH * static_cast<double>(expected) / work);
+        return isAffordable(full_.spent + expected, worth ? WORTH_SHARE : FULL_SHARE);
+    }
+
+    std::uint64_t StrictAnswer::fullCheckWork(const path::Waypoints &path) const
+    {
+        return context_.settings.strictness * context_.evaluator().checkWork(path);
+    }
+
+    void StrictAnswer::watchImprovements()
+    {
+        const double cost = context_.incumbent.cost();
+        if (notable_.work == 0.0 || !std::isfinite(notable_.cost) ||
+            std::abs(notable_.cost - cost) >= NOTABLE * std::abs(notable_.cost))
+        {
+            notable_ = {cost, static_cast<double>(context_.evaluator().work())};
+        }
     }
 
     bool StrictAnswer::areCornersDue() const
     {
-        return level_ != Level::Everywhere && corners_.tried != context_.incumbent.improvements() &&
+        // once a path that was checked in full is worse than the answer, other answers of this kind would be so, too
+        return level_ != Level::Everywhere && !full_.succeeded && corners_.tried != context_.incumbent.improvements() &&
                isBetterBy(CORNER_NOTABLE) &&
                (begin_ == 0 || isAffordable(corners_.spent + corners_.last, CORNER_SHARE));
+    }
+
+    /* The answer is tightened where no new one is made of the incumbent, as that cannot be repaired as cheaply, and
+       while there is no better incumbent. */
+    bool StrictAnswer::isTighteningDue() const
+    {
+        const bool done = tightened_ == context_.answer.improvements() && tightening_.converged();
+        return level_ == Level::Everywhere && !done && full_.tried == context_.incumbent.improvements() &&
+               isBetterBy(TIGHTEN_EXCESS) &&
+               isAffordable(tighteningSpent_ + TIGHTEN_FACTOR * fullCheckWork(context_.answer.path()), TIGHTEN_SHARE);
+    }
+
+    /* Every motion that is replaced is checked in full. */
+    void StrictAnswer::tighten()
+    {
+        path::PathEvaluator &evaluator = context_.evaluator();
+        Incumbent &answer = context_.answer;
+        const std::uint64_t before = evaluator.work();
+        if (tightened_ != answer.improvements())
+        {
+            tightening_.begin(answer.path());
+        }
+        {
+            const path::FinenessScope fine(evaluator, context_.settings.strictness, false);
+            tightening_.advance(TIGHTEN_FACTOR * fullCheckWork(answer.path()));
+        }
+        answer.offer(tightening_.path(), tightening_.cost().value(), answer.origin());
+        tightened_ = answer.improvements();
+        tighteningSpent_ += evaluator.work() - before;
     }
 
     void StrictAnswer::make(Level level)

@@ -43,6 +43,7 @@
 
 #include "engine/SearchContext.h"
 #include "engine/refinement/PathRepair.h"
+#include "engine/refinement/PathTightening.h"
 #include "path/Waypoints.h"
 
 namespace ompl_mfa::engine
@@ -100,11 +101,22 @@ namespace ompl_mfa::engine
             bool succeeded{false};     ///< the last attempt
         };
 
+        /* The last notable improvement of the incumbent. */
+        struct Notable
+        {
+            double cost{0.0};
+            double work{0.0};  ///< 0: none yet
+        };
+
         bool isBetterBy(double fraction) const;
         bool isSingleMotion() const;
         bool isAffordable(std::uint64_t work, double share) const;
         bool isFullCheckDue() const;
         bool areCornersDue() const;
+        bool isTighteningDue() const;
+        std::uint64_t fullCheckWork(const path::Waypoints &path) const;
+        void watchImprovements();
+        void tighten();
         void make(Level level);
         bool check(Level level, path::Waypoints &path);
         void insertKnownRepairs(path::Waypoints &path);
@@ -116,13 +128,17 @@ namespace ompl_mfa::engine
 
         SearchContext &context_;
         refinement::PathRepair repair_;
-        path::Waypoints checked_;     ///< the last path that was found valid
-        std::vector<Level> levels_;   ///< of the motion to each state of checked_
-        std::vector<bool> original_;  ///< whether a state of checked_ is one of the incumbent
-        std::size_t checkedHint_{0};  ///< where a state was found last
+        refinement::PathTightening tightening_;  ///< of the answer
+        std::uint64_t tightened_{0};             ///< improvements of the answer when it was tightened last
+        std::uint64_t tighteningSpent_{0};       ///< work of that
+        path::Waypoints checked_;                ///< the last path that was found valid
+        std::vector<Level> levels_;              ///< of the motion to each state of checked_
+        std::vector<bool> original_;             ///< whether a state of checked_ is one of the incumbent
+        std::size_t checkedHint_{0};             ///< where a state was found last
         std::size_t incumbentHint_{0};
         Effort full_;
         Effort corners_;
+        Notable notable_;
         std::uint64_t begin_{0};       ///< work before the first attempt; 0: none
         Level level_{Level::Nowhere};  ///< of the answer
     };

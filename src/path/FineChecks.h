@@ -53,8 +53,8 @@ namespace ompl_mfa::path
     /** \brief Whether all states of a path are valid that OMPL's checkMotion would check with \e factor times the
         space's validSegmentCountFactor: of each motion \e factor times validSegmentCount(), at equal distances. True
         where motions are checked continuously. \e path holds valid motions. */
-    OMPL_MFA_EXPORT bool isValidAt(const ompl::base::SpaceInformation &si,
-                                   const std::vector<ompl::base::State *> &path, unsigned int factor);
+    OMPL_MFA_EXPORT bool isValidAt(const ompl::base::SpaceInformation &si, const std::vector<ompl::base::State *> &path,
+                                   unsigned int factor);
 }  // namespace ompl_mfa::path
 
 #endif

@@ -420,7 +420,7 @@ namespace ompl_mfa::path
         {
             return false;
         }
-        for (std::size_t i = 1; stride_ == 1 && i < path.size(); ++i)
+        for (std::size_t i = 1; stride_ == 1 && fineness_ == 1 && i < path.size(); ++i)
         {
             if (!checkBetween({path[i - 1], path[i]}))
             {
@@ -432,8 +432,9 @@ namespace ompl_mfa::path
 
     bool PathEvaluator::checkBetween(std::initializer_list<Motion> motions)
     {
-        return stride_ > 1 || std::all_of(motions.begin(), motions.end(),
-                                          [this](const Motion &motion) { return checkBetween(motion); });
+        return stride_ > 1 || fineness_ > 1 ||
+               std::all_of(motions.begin(), motions.end(),
+                           [this](const Motion &motion) { return checkBetween(motion); });
     }
 
     bool PathEvaluator::checkBetween(const Motion &motion)
