@@ -46,24 +46,26 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        /* A path better by this fraction is a notable improvement. While these follow each other, checks in full can
-           wait: until the work has grown by this factor since the last one. */
+        /* A path better by this fraction is a notable improvement. */
         constexpr double NOTABLE = 0.01;
-        constexpr double QUIET = 1.5;
-        /* Fractions of the work that may be spent on checks in full: for the first answer that is checked so, then and
-           before; for any improvement, and for one that is worth the check. */
-        constexpr double FIRST_SHARE = 0.04;
-        constexpr double EARLY_SHARE = 0.01;
-        constexpr double FULL_SHARE = 0.01;
-        constexpr double WORTH_SHARE = 0.05;
-        /* A check is worth its fraction of the work so far if the path is better by this times that. */
+        /* Fractions of the work that may be spent on checks in full. For the first answer that is checked so: at a
+           notable improvement, growing with the work since; for other improvements: if the check is worth its work, if
+           the answer will probably become better, and if that is unlikely. */
+        constexpr double FIRST_SHARE = 0.004;
+        constexpr double MAX_FIRST_SHARE = 0.1;
+        constexpr double WORTH_SHARE = 0.03;
+        constexpr double PROMISING_SHARE = 0.015;
+        constexpr double HOPELESS_SHARE = 0.003;
+        /* A check is worth its fraction of the work so far if the answer becomes better by this times that. */
         constexpr double WORTH = 0.3;
+        /* Improvement after which a repair that failed is promising again. */
+        constexpr double RETRY = 0.001;
         /* The same for checks near corners, and the least improvement. */
         constexpr double CORNER_SHARE = 0.1;
-        constexpr double CORNER_NOTABLE = 0.001;
+        constexpr double CORNER_NOTABLE = 0.0005;
         /* Share of the work for tightening the answer, in turns of this many checks of it, and the least excess over
            the incumbent that is worth it. */
-        constexpr double TIGHTEN_SHARE = 0.01;
+        constexpr double TIGHTEN_SHARE = 0.02;
         constexpr std::uint64_t TIGHTEN_FACTOR = 2;
         constexpr double TIGHTEN_EXCESS = 1e-4;
         /* Attempts for one improvement that are made on demand; each draws other random states. */
@@ -163,10 +165,31 @@ namespace ompl_mfa::engine
         const std::uint64_t expected = full_.succeeded ? full_.last : fullCheckWork(context_.incumbent.path());
         if (level_ != Level::Everywhere)
         {
-            return isAffordable(full_.spent + expected, work >= QUIET * notable_.work ? FIRST_SHARE : EARLY_SHARE);
+            const double share = std::min(MAX_FIRST_SHARE, FIRST_SHARE * work / notable_.work);
+            return isAffordable(full_.spent + expected, share);
         }
-        const bool worth = isBetterBy(WORTH * static_cast<double>(expected) / work);
-        return isAffordable(full_.spent + expected, worth ? WORTH_SHARE : FULL_SHARE);
+        const double gain = expectedGain();
+        const double share = gain >= WORTH * static_cast<double>(expected) / work ? WORTH_SHARE
+                             : gain > 0.0                                         ? PROMISING_SHARE
+                                                                                  : HOPELESS_SHARE;
+        return isAffordable(full_.spent + expected, share);
+    }
+
+    /* Relative gain of the answer by a repair that costs as much as the last one; 0 if that failed. */
+    double StrictAnswer::expectedGain() const
+    {
+        const double before = context_.answer.cost();
+        const double now = context_.incumbent.cost();
+        if (!std::isfinite(before) || !std::isfinite(now))
+        {
+            return 1.0;
+        }
+        const double scale = std::max(std::abs(before), 1e-12);
+        if (!full_.succeeded)
+        {
+            return std::abs(lastFull_.incumbent - now) >= RETRY * scale ? RETRY : 0.0;
+        }
+        return (std::abs(before - now) - std::abs(lastFull_.repaired - lastFull_.incumbent)) / scale;
     }
 
     std::uint64_t StrictAnswer::fullCheckWork(const path::Waypoints &path) const
@@ -192,13 +215,16 @@ namespace ompl_mfa::engine
                (begin_ == 0 || isAffordable(corners_.spent + corners_.last, CORNER_SHARE));
     }
 
-    /* The answer is tightened where no new one is made of the incumbent, as that cannot be repaired as cheaply, and
-       while there is no better incumbent. */
+    /* Where the incumbent cannot be repaired at so little cost that the answer becomes better, the last repaired path
+       is tightened instead. */
     bool StrictAnswer::isTighteningDue() const
     {
-        const bool done = tightened_ == context_.answer.improvements() && tightening_.converged();
-        return level_ == Level::Everywhere && !done && full_.tried == context_.incumbent.improvements() &&
-               isBetterBy(TIGHTEN_EXCESS) &&
+        if (level_ != Level::Everywhere && !full_.succeeded)
+        {
+            return false;
+        }
+        const bool done = !restart_ && tightened_ == context_.answer.improvements() && tightening_.converged();
+        return !done && expectedGain() <= 0.0 && (level_ != Level::Everywhere || isBetterBy(TIGHTEN_EXCESS)) &&
                isAffordable(tighteningSpent_ + TIGHTEN_FACTOR * fullCheckWork(context_.answer.path()), TIGHTEN_SHARE);
     }
 
@@ -208,15 +234,19 @@ namespace ompl_mfa::engine
         path::PathEvaluator &evaluator = context_.evaluator();
         Incumbent &answer = context_.answer;
         const std::uint64_t before = evaluator.work();
-        if (tightened_ != answer.improvements())
+        if (level_ == Level::Everywhere ? tightened_ != answer.improvements() : restart_)
         {
-            tightening_.begin(answer.path());
+            tightening_.begin(level_ == Level::Everywhere ? answer.path() : checked_);
         }
+        restart_ = false;
         {
             const path::FinenessScope fine(evaluator, context_.settings.strictness, false);
             tightening_.advance(TIGHTEN_FACTOR * fullCheckWork(answer.path()));
         }
-        answer.offer(tightening_.path(), tightening_.cost().value(), answer.origin());
+        if (answer.offer(tightening_.path(), tightening_.cost().value(), answer.origin()))
+        {
+            level_ = Level::Everywhere;
+        }
         tightened_ = answer.improvements();
         tighteningSpent_ += evaluator.work() - before;
     }
@@ -241,6 +271,11 @@ namespace ompl_mfa::engine
         }
         effort.attempts = effort.tried == incumbent.improvements() ? effort.attempts + 1 : 1;
         effort.tried = incumbent.improvements();
+        if (level == Level::Everywhere)
+        {
+            lastFull_ = {incumbent.cost(), cost.value()};
+            restart_ = effort.succeeded;
+        }
         if (!effort.succeeded)
         {
             return;

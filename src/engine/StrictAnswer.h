@@ -108,6 +108,14 @@ namespace ompl_mfa::engine
             double work{0.0};  ///< 0: none yet
         };
 
+        /* Costs of the last path that was checked in full. */
+        struct Repair
+        {
+            double incumbent{0.0};
+            double repaired{0.0};
+        };
+
+        double expectedGain() const;
         bool isBetterBy(double fraction) const;
         bool isSingleMotion() const;
         bool isAffordable(std::uint64_t work, double share) const;
@@ -130,6 +138,7 @@ namespace ompl_mfa::engine
         refinement::PathRepair repair_;
         refinement::PathTightening tightening_;  ///< of the answer
         std::uint64_t tightened_{0};             ///< improvements of the answer when it was tightened last
+        bool restart_{false};                    ///< whether there is another repaired path since
         std::uint64_t tighteningSpent_{0};       ///< work of that
         path::Waypoints checked_;                ///< the last path that was found valid
         std::vector<Level> levels_;              ///< of the motion to each state of checked_
@@ -139,6 +148,7 @@ namespace ompl_mfa::engine
         Effort full_;
         Effort corners_;
         Notable notable_;
+        Repair lastFull_;
         std::uint64_t begin_{0};       ///< work before the first attempt; 0: none
         Level level_{Level::Nowhere};  ///< of the answer
     };
