@@ -37,6 +37,7 @@
 #include "engine/refinement/PathRepair.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace ob = ompl::base;
@@ -55,10 +56,17 @@ namespace ompl_mfa::engine::refinement
            length of the run is usually enough. */
         constexpr double FINE_SPREAD = 0.05;
         constexpr double FINE_GROWTH = 1.15;
+        /* Such a detour may be longer than the gap by this factor; curves of bounded curvature would insert a loop. */
+        constexpr double MAX_DETOUR = 2.0;
+        /* Steps of the vertices beside a run that cannot be bypassed; most of them are rejected by one state check. */
+        constexpr unsigned int SHIFTS = 100;
+        constexpr double SHIFT_GROWTH = 1.06;
         /* Attempts to shorten such a detour. */
         constexpr unsigned int BISECTIONS = 4;
         /* Valid states in a row that end a run. */
         constexpr unsigned int RUN_END = 8;
+
+        constexpr double INFINITE_LENGTH = std::numeric_limits<double>::infinity();
 
         /* Indices in PathRepair::states_. */
         constexpr std::size_t FROM = 0;
@@ -67,6 +75,10 @@ namespace ompl_mfa::engine::refinement
         constexpr std::size_t VIA = 3;
         constexpr std::size_t FARTHEST = 4;
         constexpr std::size_t NEARER = 5;
+        constexpr std::size_t OLD = 6;      // and 7: the vertices of a motion
+        constexpr std::size_t SHIFTED = 8;  // and 9
+        constexpr std::size_t BETTER = 10;  // and 11
+        constexpr std::size_t STATES = 12;
     }  // namespace
 
     PathRepair::PathRepair(path::StateChartPtr chart, path::PathEvaluator &evaluator, std::uint_fast32_t seed)
@@ -76,7 +88,7 @@ namespace ompl_mfa::engine::refinement
       , states_(chart_->space())
       , step_(chart_->dimension())
     {
-        states_.resize(6);
+        states_.resize(STATES);
     }
 
     PathRepair::~PathRepair() = default;
@@ -181,10 +193,16 @@ namespace ompl_mfa::engine::refinement
         stateOn(path, motion, segments, gap.before, states_[FROM]);
         stateOn(path, motion, segments, gap.after, states_[TO]);
         const double run = chart_->distance(path[motion - 1], path[motion]) / segments * gap.length;
-        if (!evaluator_.checkState(states_[FROM]) || !evaluator_.checkState(states_[TO]) ||
-            !findVia((evaluator_.fineness() > 1 ? FINE_SPREAD : FIRST_SPREAD) * run))
+        if (!evaluator_.checkState(states_[FROM]) || !evaluator_.checkState(states_[TO]))
         {
             return false;
+        }
+        const bool fine = evaluator_.fineness() > 1;
+        longest_ = fine ? MAX_DETOUR * chart_->distance(states_[FROM], states_[TO]) : INFINITE_LENGTH;
+        if (!findVia((fine ? FINE_SPREAD : FIRST_SPREAD) * run))
+        {
+            const double middle = 0.5 * (gap.before + gap.after) / segments;
+            return fine && shiftVertices(path, motion, FINE_SPREAD * run, middle);
         }
         if (gap.after < segments)
         {
@@ -222,8 +240,96 @@ namespace ompl_mfa::engine::refinement
 
     bool PathRepair::leadsOver(const ob::State *via)
     {
-        return evaluator_.checkState(via) && evaluator_.checkMotion(states_[FROM], via) &&
+        return chart_->distance(states_[FROM], via) + chart_->distance(via, states_[TO]) <= longest_ &&
+               evaluator_.checkState(via) && evaluator_.checkMotion(states_[FROM], via) &&
                evaluator_.checkMotion(via, states_[TO]);
+    }
+
+    /* Moves the vertices of a motion, other than the ends of the path, so that it and its neighbours are valid: where
+       its curvature does not allow a detour. \e middle is the fraction of the motion at the gap. */
+    bool PathRepair::shiftVertices(path::Waypoints &path, std::size_t motion, double spread, double middle)
+    {
+        const auto &space = chart_->space();
+        path::Waypoints &s = states_;
+        space->copyState(s[OLD], path[motion - 1]);
+        space->copyState(s[OLD + 1], path[motion]);
+        longest_ += lengthAround(path, motion, OLD);
+        for (unsigned int k = 0; k < SHIFTS && !evaluator_.interrupted(); ++k, spread *= SHIFT_GROWTH)
+        {
+            for (const std::size_t end : {std::size_t(0), std::size_t(1)})
+            {
+                space->copyState(s[SHIFTED + end], s[OLD + end]);
+                for (Eigen::Index j = 0; j < step_.size(); ++j)
+                {
+                    step_[j] = spread * rng_.gaussian01();
+                }
+                if (isMovable(path, motion - 1 + end))
+                {
+                    chart_->displace(s[OLD + end], step_, s[SHIFTED + end]);
+                }
+            }
+            if (!isShiftValid(path, motion, SHIFTED, middle))
+            {
+                continue;
+            }
+            shortenShift(path, motion, middle);
+            space->copyState(path[motion - 1], s[SHIFTED]);
+            space->copyState(path[motion], s[SHIFTED + 1]);
+            return true;
+        }
+        return false;
+    }
+
+    bool PathRepair::isMovable(const path::Waypoints &path, std::size_t vertex)
+    {
+        return vertex > 0 && vertex + 1 < path.size();
+    }
+
+    /* Length of a motion and of its neighbours if its vertices are the states \e first and the one after that. */
+    double PathRepair::lengthAround(const path::Waypoints &path, std::size_t motion, std::size_t first)
+    {
+        path::Waypoints &s = states_;
+        const bool before = isMovable(path, motion - 1);
+        const bool after = isMovable(path, motion);
+        return (before ? chart_->distance(path[motion - 2], s[first]) : 0.0) +
+               chart_->distance(s[first], s[first + 1]) +
+               (after ? chart_->distance(s[first + 1], path[motion + 1]) : 0.0);
+    }
+
+    bool PathRepair::isShiftValid(const path::Waypoints &path, std::size_t motion, std::size_t first, double middle)
+    {
+        path::Waypoints &s = states_;
+        const ob::State *const from = s[first];
+        const ob::State *const to = s[first + 1];
+        if (lengthAround(path, motion, first) > longest_)
+        {
+            return false;
+        }
+        chart_->interpolate(from, to, middle, s[BETWEEN]);
+        chart_->space()->enforceBounds(s[BETWEEN]);
+        return evaluator_.checkState(s[BETWEEN]) && evaluator_.checkState(from) && evaluator_.checkMotion(from, to) &&
+               (!isMovable(path, motion - 1) || evaluator_.checkMotion(path[motion - 2], from)) &&
+               (!isMovable(path, motion) || evaluator_.checkMotion(to, path[motion + 1]));
+    }
+
+    /* Moves the shifted vertices back as far as that stays valid. */
+    void PathRepair::shortenShift(const path::Waypoints &path, std::size_t motion, double middle)
+    {
+        path::Waypoints &s = states_;
+        for (unsigned int k = 0; k < BISECTIONS && !evaluator_.interrupted(); ++k)
+        {
+            for (const std::size_t end : {std::size_t(0), std::size_t(1)})
+            {
+                chart_->interpolate(s[OLD + end], s[SHIFTED + end], 0.5, s[BETTER + end]);
+                chart_->space()->enforceBounds(s[BETTER + end]);
+            }
+            const bool valid = lengthAround(path, motion, BETTER) < lengthAround(path, motion, SHIFTED) &&
+                               isShiftValid(path, motion, BETTER, middle);
+            for (const std::size_t end : {std::size_t(0), std::size_t(1)})
+            {
+                chart_->space()->copyState(valid ? s[SHIFTED + end] : s[OLD + end], s[BETTER + end]);
+            }
+        }
     }
 
     /* Pulls the state of the detour toward the gap as far as it stays valid. A draft's repair is tightened later. */

@@ -90,6 +90,11 @@ namespace ompl_mfa::engine::refinement
         bool findVia(double spread);
         bool leadsOver(const ompl::base::State *via);
         void shortenDetour();
+        bool shiftVertices(path::Waypoints &path, std::size_t motion, double spread, double middle);
+        static bool isMovable(const path::Waypoints &path, std::size_t vertex);
+        double lengthAround(const path::Waypoints &path, std::size_t motion, std::size_t first);
+        bool isShiftValid(const path::Waypoints &path, std::size_t motion, std::size_t first, double middle);
+        void shortenShift(const path::Waypoints &path, std::size_t motion, double middle);
         void stateOn(const path::Waypoints &path, std::size_t motion, unsigned int segments, unsigned int number,
                      ompl::base::State *state) const;
 
@@ -98,6 +103,7 @@ namespace ompl_mfa::engine::refinement
         ompl::RNG rng_;
         path::Waypoints states_;
         Eigen::VectorXd step_;
+        double longest_{0.0};  ///< allowed length of a detour
     };
 }  // namespace ompl_mfa::engine::refinement
 
