@@ -62,7 +62,7 @@ namespace ompl_mfa::engine
         constexpr double RETRY = 0.001;
         /* The same for checks near corners, and the least improvement. */
         constexpr double CORNER_SHARE = 0.1;
-        constexpr double CORNER_NOTABLE = 0.0005;
+        constexpr double CORNER_NOTABLE = 0.001;
         /* Share of the work for tightening the answer, in turns of this many checks of it, and the least excess over
            the incumbent that is worth it. */
         constexpr double TIGHTEN_SHARE = 0.02;
@@ -163,7 +163,7 @@ namespace ompl_mfa::engine
         const auto work = static_cast<double>(context_.evaluator().work());
         // most motions of the next one may be known
         const std::uint64_t expected = full_.succeeded ? full_.last : fullCheckWork(context_.incumbent.path());
-        if (level_ != Level::Everywhere)
+        if (level_ != Level::Everywhere && full_.attempts == 0)
         {
             const double share = std::min(MAX_FIRST_SHARE, FIRST_SHARE * work / notable_.work);
             return isAffordable(full_.spent + expected, share);
@@ -209,8 +209,9 @@ namespace ompl_mfa::engine
 
     bool StrictAnswer::areCornersDue() const
     {
-        // once a path that was checked in full is worse than the answer, other answers of this kind would be so, too
-        return level_ != Level::Everywhere && !full_.succeeded && corners_.tried != context_.incumbent.improvements() &&
+        // once a path that was checked in full is worse than the answer, others would be worse than the next one, too
+        const bool allowed = level_ != Level::Everywhere && (full_.attempts == 0 || isBetterBy(NOTABLE));
+        return allowed && corners_.tried != context_.incumbent.improvements() &&
                isBetterBy(CORNER_NOTABLE) &&
                (begin_ == 0 || isAffordable(corners_.spent + corners_.last, CORNER_SHARE));
     }
