@@ -49,8 +49,8 @@ namespace ompl_mfa::engine
         /* A path better by this fraction is a notable improvement. */
         constexpr double NOTABLE = 0.01;
         /* Fractions of the work that may be spent on checks in full. For the first answer that is checked so: at a
-           notable improvement, growing with the work since; for other improvements: if the check is worth its work, if
-           the answer will probably become better, and if that is unlikely. */
+           notable improvement, growing with the work since; for other improvements: if the check is worth its work, to
+           which the gain is added; if the answer will probably become better; and if that is unlikely. */
         constexpr double FIRST_SHARE = 0.004;
         constexpr double MAX_FIRST_SHARE = 0.1;
         constexpr double WORTH_SHARE = 0.03;
@@ -169,7 +169,7 @@ namespace ompl_mfa::engine
             return isAffordable(full_.spent + expected, share);
         }
         const double gain = expectedGain();
-        const double share = gain >= WORTH * static_cast<double>(expected) / work ? WORTH_SHARE
+        const double share = gain >= WORTH * static_cast<double>(expected) / work ? WORTH_SHARE + gain
                              : gain > 0.0                                         ? PROMISING_SHARE
                                                                                   : HOPELESS_SHARE;
         return isAffordable(full_.spent + expected, share);
@@ -211,8 +211,7 @@ namespace ompl_mfa::engine
     {
         // once a path that was checked in full is worse than the answer, others would be worse than the next one, too
         const bool allowed = level_ != Level::Everywhere && (full_.attempts == 0 || isBetterBy(NOTABLE));
-        return allowed && corners_.tried != context_.incumbent.improvements() &&
-               isBetterBy(CORNER_NOTABLE) &&
+        return allowed && corners_.tried != context_.incumbent.improvements() && isBetterBy(CORNER_NOTABLE) &&
                (begin_ == 0 || isAffordable(corners_.spent + corners_.last, CORNER_SHARE));
     }
 
