@@ -74,8 +74,6 @@ namespace ompl_mfa::engine
            the first attempt. */
         constexpr std::uint64_t GRACE_FACTOR = 2;
         constexpr std::uint64_t GRACE = 20000;
-        /* States that a repair may have inserted into one motion. */
-        constexpr std::size_t MAX_INSERTED = 16;
     }  // namespace
 
     StrictAnswer::StrictAnswer(SearchContext &context)
@@ -84,7 +82,7 @@ namespace ompl_mfa::engine
                 static_cast<std::uint_fast32_t>(streamSeed(context.seed, Stream::Strict)))
       , tightening_(context.chart, context.evaluator(),
                     static_cast<std::uint_fast32_t>(streamSeed(context.seed, Stream::StrictTightening)))
-      , checked_(context.chart->space())
+      , checked_(context.spaceInformation())
     {
     }
 
@@ -111,17 +109,21 @@ namespace ompl_mfa::engine
         const bool again = demanded && !full_.succeeded && full_.attempts < MAX_ATTEMPTS;
         if (!demanded && !isSingleMotion() && areCornersDue())
         {
-            make(Level::Corners);
+            make(CheckLevel::Corners);
         }
         else if (improved ? demanded || isFullCheckDue() : again)
         {
-            make(Level::Everywhere);
+            make(CheckLevel::Everywhere);
+        }
+        else if (!demanded && isConfirmationDue())
+        {
+            confirm();
         }
         else if (!demanded && isTighteningDue())
         {
             tighten();
         }
-        if (level_ == Level::Nowhere && begin_ > 0 && context_.evaluator().work() >= GRACE_FACTOR * begin_ + GRACE)
+        if (level_ == CheckLevel::Nowhere && begin_ > 0 && context_.evaluator().work() >= GRACE_FACTOR * begin_ + GRACE)
         {
             giveUp();
         }
@@ -130,7 +132,7 @@ namespace ompl_mfa::engine
     void StrictAnswer::giveUp()
     {
         const Incumbent &incumbent = context_.incumbent;
-        if (incumbent.hasPath() && (level_ == Level::Nowhere || !isActive()))
+        if (incumbent.hasPath() && (level_ == CheckLevel::Nowhere || !isActive()))
         {
             context_.answer.offer(incumbent.path(), incumbent.cost(), incumbent.origin());
         }
@@ -156,14 +158,14 @@ namespace ompl_mfa::engine
 
     bool StrictAnswer::isFullCheckDue() const
     {
-        if (isSingleMotion() && level_ != Level::Everywhere)
+        if (isSingleMotion() && level_ != CheckLevel::Everywhere)
         {
             return true;
         }
         const auto work = static_cast<double>(context_.evaluator().work());
         // most motions of the next one may be known
         const std::uint64_t expected = full_.succeeded ? full_.last : fullCheckWork(context_.incumbent.path());
-        if (level_ != Level::Everywhere && full_.attempts == 0)
+        if (level_ != CheckLevel::Everywhere && full_.attempts == 0)
         {
             const double share = std::min(MAX_FIRST_SHARE, FIRST_SHARE * work / notable_.work);
             return isAffordable(full_.spent + expected, share);
@@ -210,7 +212,7 @@ namespace ompl_mfa::engine
     bool StrictAnswer::areCornersDue() const
     {
         // once a path that was checked in full is worse than the answer, others would be worse than the next one, too
-        const bool allowed = level_ != Level::Everywhere && (full_.attempts == 0 || isBetterBy(NOTABLE));
+        const bool allowed = level_ != CheckLevel::Everywhere && (full_.attempts == 0 || isBetterBy(NOTABLE));
         return allowed && corners_.tried != context_.incumbent.improvements() && isBetterBy(CORNER_NOTABLE) &&
                (begin_ == 0 || isAffordable(corners_.spent + corners_.last, CORNER_SHARE));
     }
@@ -219,43 +221,39 @@ namespace ompl_mfa::engine
        is tightened instead. */
     bool StrictAnswer::isTighteningDue() const
     {
-        if (level_ != Level::Everywhere && !full_.succeeded)
-        {
-            return false;
-        }
-        const bool done = !restart_ && tightened_ == context_.answer.improvements() && tightening_.converged();
-        return !done && expectedGain() <= 0.0 && (level_ != Level::Everywhere || isBetterBy(TIGHTEN_EXCESS)) &&
-               isAffordable(tighteningSpent_ + TIGHTEN_FACTOR * fullCheckWork(context_.answer.path()), TIGHTEN_SHARE);
+        return canTighten_ && !tightening_.converged() && expectedGain() <= 0.0 &&
+               (level_ != CheckLevel::Everywhere || isBetterBy(TIGHTEN_EXCESS)) &&
+               isAffordable(tighteningSpent_ + TIGHTEN_FACTOR * fullCheckWork(tightening_.path()), TIGHTEN_SHARE);
     }
 
     /* Every motion that is replaced is checked in full. */
     void StrictAnswer::tighten()
     {
         path::PathEvaluator &evaluator = context_.evaluator();
-        Incumbent &answer = context_.answer;
         const std::uint64_t before = evaluator.work();
-        if (level_ == Level::Everywhere ? tightened_ != answer.improvements() : restart_)
-        {
-            tightening_.begin(level_ == Level::Everywhere ? answer.path() : checked_);
-        }
-        restart_ = false;
         {
             const path::FinenessScope fine(evaluator, context_.settings.strictness, false);
-            tightening_.advance(TIGHTEN_FACTOR * fullCheckWork(answer.path()));
+            tightening_.advance(TIGHTEN_FACTOR * fullCheckWork(tightening_.path()));
         }
-        if (answer.offer(tightening_.path(), tightening_.cost().value(), answer.origin()))
+        if (context_.answer.offer(tightening_.path(), tightening_.cost().value(), context_.answer.origin()))
         {
-            level_ = Level::Everywhere;
+            level_ = CheckLevel::Everywhere;
         }
-        tightened_ = answer.improvements();
         tighteningSpent_ += evaluator.work() - before;
     }
 
-    void StrictAnswer::make(Level level)
+    bool StrictAnswer::isConfirmationDue() const
+    {
+        return level_ != CheckLevel::Everywhere && context_.answer.hasPath() && full_.attempts > 0 &&
+               confirmed_ != context_.answer.improvements() &&
+               isAffordable(full_.spent + fullCheckWork(context_.answer.path()), WORTH_SHARE);
+    }
+
+    void StrictAnswer::make(CheckLevel level)
     {
         path::PathEvaluator &evaluator = context_.evaluator();
         const Incumbent &incumbent = context_.incumbent;
-        Effort &effort = level == Level::Everywhere ? full_ : corners_;
+        Effort &effort = level == CheckLevel::Everywhere ? full_ : corners_;
         const std::uint64_t before = evaluator.work();
         path::Waypoints path = incumbent.path();
         effort.succeeded = check(level, path);
@@ -271,118 +269,75 @@ namespace ompl_mfa::engine
         }
         effort.attempts = effort.tried == incumbent.improvements() ? effort.attempts + 1 : 1;
         effort.tried = incumbent.improvements();
-        if (level == Level::Everywhere)
+        if (level == CheckLevel::Everywhere)
         {
             lastFull_ = {incumbent.cost(), cost.value()};
-            restart_ = effort.succeeded;
         }
-        if (!effort.succeeded)
+        if (effort.succeeded)
+        {
+            accept(path, cost.value(), level, incumbent.path(), incumbent.origin());
+        }
+    }
+
+    /* Checks the answer in full, where the incumbent cannot be made to hold at so little cost. */
+    void StrictAnswer::confirm()
+    {
+        path::PathEvaluator &evaluator = context_.evaluator();
+        const Incumbent &answer = context_.answer;
+        const std::uint64_t before = evaluator.work();
+        const path::Waypoints original = answer.path();
+        path::Waypoints path = original;
+        const bool holds = check(CheckLevel::Everywhere, path);
+        full_.spent += evaluator.work() - before;
+        if (evaluator.interrupted())
         {
             return;
         }
-        remember(path, level);
-        if (context_.answer.offer(path, cost.value(), incumbent.origin()))
+        confirmed_ = answer.improvements();
+        if (holds)
         {
-            level_ = level;
+            accept(path, evaluator.cost(path).value(), CheckLevel::Everywhere, original, answer.origin());
         }
-        else if (cost.value() == context_.answer.cost())
+    }
+
+    /* Makes a checked path the answer, if it is better, or the start of a better one. */
+    void StrictAnswer::accept(const path::Waypoints &path, double cost, CheckLevel level,
+                              const path::Waypoints &original, std::optional<PartKind> origin)
+    {
+        checked_.set(path, level, original);
+        const CheckLevel before = level_;
+        const bool better = context_.answer.offer(path, cost, origin);
+        if (better || cost == context_.answer.cost())
         {
-            level_ = std::max(level_, level);
+            level_ = better ? level : std::max(level_, level);
+        }
+        if (level == CheckLevel::Everywhere && (better || before != CheckLevel::Everywhere))
+        {
+            tightening_.begin(path);
+            canTighten_ = true;
         }
     }
 
     /* Repairs \e path where a check of \e level fails. */
-    bool StrictAnswer::check(Level level, path::Waypoints &path)
+    bool StrictAnswer::check(CheckLevel level, path::Waypoints &path)
     {
         using Knowledge = refinement::PathRepair::Knowledge;
-        insertKnownRepairs(path);
-        incumbentHint_ = 0;
-        checkedHint_ = 0;
-        const path::FinenessScope fine(context_.evaluator(), context_.settings.strictness, level == Level::Corners);
+        checked_.insertRepairs(path);
+        std::size_t hint = 0;
+        const path::FinenessScope fine(context_.evaluator(), context_.settings.strictness,
+                                       level == CheckLevel::Corners);
         return repair_.repair(path,
                               [&](const ob::State *from, const ob::State *to)
                               {
-                                  const Level known = levelOf(from, to);
+                                  const CheckLevel known = checked_.levelOf(from, to);
                                   if (known >= level)
                                   {
                                       return Knowledge::FinelyValid;
                                   }
-                                  return known != Level::Nowhere ||
-                                                 isMotionOf(context_.incumbent.path(), incumbentHint_, from, to)
+                                  return known != CheckLevel::Nowhere ||
+                                                 checked_.isMotionOf(context_.incumbent.path(), hint, from, to)
                                              ? Knowledge::Valid
                                              : Knowledge::Nothing;
                               });
-    }
-
-    /* A motion of the incumbent that was repaired before is repaired in the same way. */
-    void StrictAnswer::insertKnownRepairs(path::Waypoints &path)
-    {
-        const auto &si = *context_.spaceInformation();
-        for (std::size_t i = 1; i < path.size(); ++i)
-        {
-            const std::size_t from = find(checked_, checkedHint_, path[i - 1]);
-            std::size_t to = from + 1;
-            while (to < checked_.size() && !original_[to] && to <= from + MAX_INSERTED)
-            {
-                ++to;
-            }
-            if (to >= checked_.size() || !si.equalStates(checked_[to], path[i]))
-            {
-                continue;
-            }
-            for (std::size_t k = from + 1; k < to; ++k, ++i)
-            {
-                path.insert(i, checked_[k]);
-            }
-        }
-    }
-
-    /* The index of \e state in \e path, its size if it is not there. The search begins at \e hint, where the last one
-       ended. */
-    std::size_t StrictAnswer::find(const path::Waypoints &path, std::size_t &hint, const ob::State *state) const
-    {
-        for (std::size_t k = 0; k < path.size(); ++k)
-        {
-            const std::size_t i = (hint + k) % path.size();
-            if (context_.spaceInformation()->equalStates(path[i], state))
-            {
-                hint = i;
-                return i;
-            }
-        }
-        return path.size();
-    }
-
-    bool StrictAnswer::isMotionOf(const path::Waypoints &path, std::size_t &hint, const ob::State *from,
-                                  const ob::State *to) const
-    {
-        const std::size_t i = find(path, hint, from);
-        return i + 1 < path.size() && context_.spaceInformation()->equalStates(path[i + 1], to);
-    }
-
-    StrictAnswer::Level StrictAnswer::levelOf(const ob::State *from, const ob::State *to)
-    {
-        return isMotionOf(checked_, checkedHint_, from, to) ? levels_[checkedHint_ + 1] : Level::Nowhere;
-    }
-
-    void StrictAnswer::remember(const path::Waypoints &path, Level level)
-    {
-        const path::Waypoints &incumbent = context_.incumbent.path();
-        std::vector<Level> levels{level};
-        std::vector<bool> original;
-        for (std::size_t i = 1; i < path.size(); ++i)
-        {
-            levels.push_back(std::max(level, levelOf(path[i - 1], path[i])));
-        }
-        for (std::size_t i = 0, next = 0; i < path.size(); ++i)
-        {
-            const bool same =
-                next < incumbent.size() && context_.spaceInformation()->equalStates(path[i], incumbent[next]);
-            next += same ? 1 : 0;
-            original.push_back(same);
-        }
-        checked_ = path;
-        levels_ = std::move(levels);
-        original_ = std::move(original);
     }
 }  // namespace ompl_mfa::engine

@@ -39,8 +39,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <optional>
 
+#include "engine/CheckedPath.h"
 #include "engine/SearchContext.h"
 #include "engine/refinement/PathRepair.h"
 #include "engine/refinement/PathTightening.h"
@@ -76,21 +77,13 @@ namespace ompl_mfa::engine
         /** \brief Whether the answer was checked in full. */
         bool isStrict() const
         {
-            return level_ == Level::Everywhere;
+            return level_ == CheckLevel::Everywhere;
         }
 
         /** \brief Whether the answer may differ from the incumbent. */
         bool isActive() const;
 
     private:
-        /* Where a path or a motion was checked at the finer resolution. */
-        enum class Level : unsigned char
-        {
-            Nowhere,
-            Corners,
-            Everywhere
-        };
-
         /* Attempts of one level. */
         struct Effort
         {
@@ -125,32 +118,26 @@ namespace ompl_mfa::engine
         std::uint64_t fullCheckWork(const path::Waypoints &path) const;
         void watchImprovements();
         void tighten();
-        void make(Level level);
-        bool check(Level level, path::Waypoints &path);
-        void insertKnownRepairs(path::Waypoints &path);
-        std::size_t find(const path::Waypoints &path, std::size_t &hint, const ompl::base::State *state) const;
-        bool isMotionOf(const path::Waypoints &path, std::size_t &hint, const ompl::base::State *from,
-                        const ompl::base::State *to) const;
-        Level levelOf(const ompl::base::State *from, const ompl::base::State *to);
-        void remember(const path::Waypoints &path, Level level);
+        void make(CheckLevel level);
+        bool check(CheckLevel level, path::Waypoints &path);
+        void accept(const path::Waypoints &path, double cost, CheckLevel level, const path::Waypoints &original,
+                    std::optional<PartKind> origin);
+        bool isConfirmationDue() const;
+        void confirm();
 
         SearchContext &context_;
         refinement::PathRepair repair_;
-        refinement::PathTightening tightening_;  ///< of the answer
-        std::uint64_t tightened_{0};             ///< improvements of the answer when it was tightened last
-        bool restart_{false};                    ///< whether there is another repaired path since
+        refinement::PathTightening tightening_;  ///< of the answer, or of a path that is to become better
         std::uint64_t tighteningSpent_{0};       ///< work of that
-        path::Waypoints checked_;                ///< the last path that was found valid
-        std::vector<Level> levels_;              ///< of the motion to each state of checked_
-        std::vector<bool> original_;             ///< whether a state of checked_ is one of the incumbent
-        std::size_t checkedHint_{0};             ///< where a state was found last
-        std::size_t incumbentHint_{0};
+        bool canTighten_{false};                 ///< whether it has a path, which was checked in full
+        std::uint64_t confirmed_{0};             ///< improvements of the answer that was checked last as it was
+        CheckedPath checked_;
         Effort full_;
         Effort corners_;
         Notable notable_;
         Repair lastFull_;
-        std::uint64_t begin_{0};       ///< work before the first attempt; 0: none
-        Level level_{Level::Nowhere};  ///< of the answer
+        std::uint64_t begin_{0};                 ///< work before the first attempt; 0: none
+        CheckLevel level_{CheckLevel::Nowhere};  ///< of the answer
     };
 }  // namespace ompl_mfa::engine
 
