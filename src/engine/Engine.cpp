@@ -213,6 +213,12 @@ namespace ompl_mfa::engine
     {
         strict_.update(meetsThreshold(context_.incumbent));
         mayPublish_();
+        const Incumbent &answer = context_.answer;
+        if (answer.hasPath() && context_.incumbent.improvedBy(answer.cost()))
+        {
+            // tightened at the finer resolution
+            offer({answer.path(), ob::Cost(answer.cost()), Proposal::Stage::Raw, answer.origin(), false});
+        }
     }
 
     void Engine::iterate(ob::PlannerInputStates &inputs, const ob::PlannerTerminationCondition &ptc)
