@@ -49,9 +49,11 @@ namespace ompl_mfa::engine
         /* A path better by this fraction is a notable improvement. */
         constexpr double NOTABLE = 0.01;
         /* Fractions of the work that may be spent on checks in full. For the first answer that is checked so: at a
-           notable improvement, growing with the work since; for other improvements: if the check is worth its work, to
-           which the gain is added; if the answer will probably become better; and if that is unlikely. */
+           notable improvement, growing with the work since and with the duration of the search; for other improvements:
+           if the check is worth its work, to which the gain is added; if the answer will probably become better; and if
+           that is unlikely. */
         constexpr double FIRST_SHARE = 0.004;
+        constexpr double SHARE_A_SECOND = 0.2;
         constexpr double MAX_FIRST_SHARE = 0.1;
         constexpr double WORTH_SHARE = 0.03;
         constexpr double PROMISING_SHARE = 0.015;
@@ -167,7 +169,8 @@ namespace ompl_mfa::engine
         const std::uint64_t expected = full_.succeeded ? full_.last : fullCheckWork(context_.incumbent.path());
         if (level_ != CheckLevel::Everywhere && full_.attempts == 0)
         {
-            const double share = std::min(MAX_FIRST_SHARE, FIRST_SHARE * work / notable_.work);
+            const double share = std::min(MAX_FIRST_SHARE, std::max(FIRST_SHARE * work / notable_.work,
+                                                                    SHARE_A_SECOND * context_.progress.time()));
             return isAffordable(full_.spent + expected, share);
         }
         const double gain = expectedGain();
