@@ -169,15 +169,19 @@ namespace ompl_mfa::engine
         const std::uint64_t expected = full_.succeeded ? full_.last : fullCheckWork(context_.incumbent.path());
         if (level_ != CheckLevel::Everywhere && full_.attempts == 0)
         {
-            const double share = std::min(MAX_FIRST_SHARE, std::max(FIRST_SHARE * work / notable_.work,
-                                                                    SHARE_A_SECOND * context_.progress.time()));
-            return isAffordable(full_.spent + expected, share);
+            return isAffordable(full_.spent + expected, firstShare());
         }
         const double gain = expectedGain();
         const double share = gain >= WORTH * static_cast<double>(expected) / work ? WORTH_SHARE + gain
                              : gain > 0.0                                         ? PROMISING_SHARE
                                                                                   : HOPELESS_SHARE;
         return isAffordable(full_.spent + expected, share);
+    }
+
+    double StrictAnswer::firstShare() const
+    {
+        const double quiet = static_cast<double>(context_.evaluator().work()) / notable_.work;
+        return std::min(MAX_FIRST_SHARE, std::max(FIRST_SHARE * quiet, SHARE_A_SECOND * context_.progress.time()));
     }
 
     /* Relative gain of the answer by a repair that costs as much as the last one; 0 if that failed. */
@@ -224,9 +228,10 @@ namespace ompl_mfa::engine
        is tightened instead. */
     bool StrictAnswer::isTighteningDue() const
     {
+        const double share = level_ == CheckLevel::Everywhere ? TIGHTEN_SHARE : std::max(TIGHTEN_SHARE, firstShare());
         return canTighten_ && !tightening_.converged() && expectedGain() <= 0.0 &&
                (level_ != CheckLevel::Everywhere || isBetterBy(TIGHTEN_EXCESS)) &&
-               isAffordable(tighteningSpent_ + TIGHTEN_FACTOR * fullCheckWork(tightening_.path()), TIGHTEN_SHARE);
+               isAffordable(tighteningSpent_ + TIGHTEN_FACTOR * fullCheckWork(tightening_.path()), share);
     }
 
     /* Every motion that is replaced is checked in full. */
@@ -249,7 +254,7 @@ namespace ompl_mfa::engine
     {
         return level_ != CheckLevel::Everywhere && context_.answer.hasPath() && full_.attempts > 0 &&
                confirmed_ != context_.answer.improvements() &&
-               isAffordable(full_.spent + fullCheckWork(context_.answer.path()), WORTH_SHARE);
+               isAffordable(full_.spent + fullCheckWork(context_.answer.path()), 2.0 * firstShare());
     }
 
     void StrictAnswer::make(CheckLevel level)

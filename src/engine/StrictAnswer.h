@@ -108,6 +108,7 @@ namespace ompl_mfa::engine
             double repaired{0.0};
         };
 
+        double firstShare() const;
         double expectedGain() const;
         bool isBetterBy(double fraction) const;
         bool isSingleMotion() const;
