@@ -103,7 +103,7 @@ namespace ompl_mfa::engine
       , parts_(makeParts(context_, guest))
       , straightMotions_(context_, parts_.guided)
       , proof_(context_)
-      , strict_(context_)
+      , answer_(makeAnswerMaker(context_))
     {
         context_.evaluator().setPartialPathEvent(
             [this](const path::Waypoints &path, std::size_t motion, const ob::State *lastValid)
@@ -174,7 +174,7 @@ namespace ompl_mfa::engine
         {
             iterate(inputs, ptc);
         }
-        strict_.giveUp();
+        answer_->giveUp();
         return status;
     }
 
@@ -194,7 +194,7 @@ namespace ompl_mfa::engine
             return false;
         }
         // only a path that is returned ends the search
-        strict_.update(true);
+        answer_->update(true);
         mayPublish_();
         if (meetsThreshold(context_.answer))
         {
@@ -211,7 +211,7 @@ namespace ompl_mfa::engine
 
     void Engine::updateAnswer()
     {
-        strict_.update(meetsThreshold(context_.incumbent));
+        answer_->update(meetsThreshold(context_.incumbent));
         mayPublish_();
         const Incumbent &answer = context_.answer;
         if (answer.hasPath() && context_.incumbent.improvedBy(answer.cost()))
@@ -235,7 +235,7 @@ namespace ompl_mfa::engine
         const auto next = sharing_.next(readiness);
         if (!next)
         {
-            strict_.giveUp();
+            answer_->giveUp();
             mayPublish_();
             std::this_thread::sleep_for(IDLE);  // until starts or goals arrive
         }
@@ -363,7 +363,7 @@ namespace ompl_mfa::engine
                    std::min(1.0, std::abs(before - incumbent.cost()) / std::max(std::abs(before), 1e-12)));
         }
         // a path that is to be tightened is published as it is only if it is the first
-        if (first || meetsThreshold(incumbent) || !strict_.isActive())
+        if (first || meetsThreshold(incumbent) || !answer_->isActive())
         {
             updateAnswer();
         }

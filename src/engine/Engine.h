@@ -45,12 +45,12 @@
 
 #include <ompl/base/Planner.h>
 
+#include "engine/AnswerMaker.h"
 #include "engine/OptimalityProof.h"
 #include "engine/PartRegistry.h"
 #include "engine/SearchContext.h"
 #include "engine/SearchPart.h"
 #include "engine/StraightMotions.h"
-#include "engine/StrictAnswer.h"
 #include "engine/TurnSharing.h"
 
 namespace ompl_mfa::engine
@@ -118,7 +118,7 @@ namespace ompl_mfa::engine
         TurnSharing sharing_;
         StraightMotions straightMotions_;
         OptimalityProof proof_;
-        StrictAnswer strict_;
+        std::unique_ptr<AnswerMaker> answer_;
         std::vector<Proposal> pending_;  ///< proposals whose cost is not computed yet
         std::vector<double> gains_;      ///< gain of each part in this turn
         std::size_t turn_{0};            ///< index of the part whose turn it is

@@ -42,8 +42,6 @@
 
 #include <ompl/util/Exception.h>
 
-#include "path/FineChecks.h"
-
 namespace ob = ompl::base;
 
 namespace ompl_mfa::path
@@ -180,102 +178,6 @@ namespace ompl_mfa::path
         const bool valid = parallel_ ? parallel_->checkMotion({from, to}) : si_->checkMotion(from, to);
         checks_ += motionWork(*si_, {from, to}, valid);
         return valid && (fineness_ == 1 || checkFineStates({from, to}));
-    }
-
-    bool PathEvaluator::checkFinely(const ob::State *from, const ob::State *to)
-    {
-        failed_ = 0;
-        return !stopped() && guard_.allows(from, to) && (fineness_ == 1 || checkFineStates({from, to}));
-    }
-
-    bool PathEvaluator::isDiscrete() const
-    {
-        return hasDiscreteMotionChecks(*si_);
-    }
-
-    void PathEvaluator::setFineness(unsigned int fineness, bool endsOnly)
-    {
-        endsOnly_ = endsOnly;
-        fineness_ = isDiscrete() ? fineness : 1;
-    }
-
-    /* The numbers of the states of a motion of \e segments segments that are checked at the finer resolution only:
-       those within a step of OMPL's resolution of its ends, where a shortest path turns around an obstacle; then the
-       others, in bisection order of OMPL's segments. */
-    void PathEvaluator::orderFineStates(unsigned int segments)
-    {
-        const unsigned int coarse = segments / fineness_;
-        fine_.clear();
-        const auto addSegment = [this](unsigned int segment)
-        {
-            for (unsigned int j = 1; j < fineness_; ++j)
-            {
-                fine_.push_back(segment * fineness_ + j);
-            }
-        };
-        addSegment(0);
-        if (coarse > 1)
-        {
-            addSegment(coarse - 1);
-        }
-        if (endsOnly_)
-        {
-            return;
-        }
-        // the bits of a counter in reverse order visit every segment once, the middle ones first
-        unsigned int bits = 0;
-        while ((1U << bits) < coarse)
-        {
-            ++bits;
-        }
-        for (unsigned int k = 0; k < (1U << bits); ++k)
-        {
-            unsigned int segment = 0;
-            for (unsigned int b = 0; b < bits; ++b)
-            {
-                segment |= ((k >> b) & 1U) << (bits - 1 - b);
-            }
-            if (segment > 0 && segment + 1 < coarse)
-            {
-                addSegment(segment);
-            }
-        }
-    }
-
-    /* Checks a motion that is valid at OMPL's resolution at the states between. */
-    bool PathEvaluator::checkFineStates(const Motion &motion)
-    {
-        const unsigned int segments = checkedSegments(motion.from, motion.to);
-        orderFineStates(segments);
-        const auto isValid = [&](unsigned int number)
-        {
-            si_->getStateSpace()->interpolate(motion.from, motion.to, static_cast<double>(number) / segments, scratch_);
-            return si_->isValid(scratch_);
-        };
-        for (std::size_t begin = 0; begin < fine_.size(); begin += STATES_BETWEEN_STOPS)
-        {
-            if (begin > 0 && stopped())
-            {
-                return false;
-            }
-            const std::size_t count = std::min<std::size_t>(STATES_BETWEEN_STOPS, fine_.size() - begin);
-            if (parallel_ && parallel_->checkStates(motion, &fine_[begin], count, segments))
-            {
-                checks_ += count;
-                continue;
-            }
-            // the first invalid state in this order, which other threads do not find for certain
-            for (std::size_t i = begin; i < begin + count; ++i)
-            {
-                ++checks_;
-                if (!isValid(fine_[i]))
-                {
-                    failed_ = fine_[i];
-                    return false;
-                }
-            }
-        }
-        return true;
     }
 
     unsigned int PathEvaluator::checkedSegments(const ob::State *from, const ob::State *to) const

@@ -34,8 +34,8 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_ENGINE_CHECKED_PATH_
-#define OMPL_MFA_ENGINE_CHECKED_PATH_
+#ifndef OMPL_MFA_ENGINE_REFINEMENT_CHECKED_PATH_
+#define OMPL_MFA_ENGINE_REFINEMENT_CHECKED_PATH_
 
 #include <cstddef>
 #include <vector>
@@ -44,7 +44,7 @@
 
 #include "path/Waypoints.h"
 
-namespace ompl_mfa::engine
+namespace ompl_mfa::engine::refinement
 {
     /** \brief Where a path or a motion was checked at a finer resolution than OMPL's. */
     enum class CheckLevel : unsigned char
@@ -83,6 +83,6 @@ namespace ompl_mfa::engine
         std::vector<bool> original_;      ///< whether a state of path_ is one of the path that it was made from
         std::size_t hint_{0};             ///< where a state was found last
     };
-}  // namespace ompl_mfa::engine
+}  // namespace ompl_mfa::engine::refinement
 
 #endif

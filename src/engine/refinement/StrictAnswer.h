@@ -34,20 +34,21 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_ENGINE_STRICT_ANSWER_
-#define OMPL_MFA_ENGINE_STRICT_ANSWER_
+#ifndef OMPL_MFA_ENGINE_REFINEMENT_STRICT_ANSWER_
+#define OMPL_MFA_ENGINE_REFINEMENT_STRICT_ANSWER_
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
-#include "engine/CheckedPath.h"
+#include "engine/AnswerMaker.h"
 #include "engine/SearchContext.h"
+#include "engine/refinement/CheckedPath.h"
 #include "engine/refinement/PathRepair.h"
 #include "engine/refinement/PathTightening.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa::engine
+namespace ompl_mfa::engine::refinement
 {
     /** \brief Makes the answer of a search from its incumbent: the path that is returned.
 
@@ -59,7 +60,7 @@ namespace ompl_mfa::engine
 
         With a strictness of 1, in the paper's algorithm, and with a motion validator that does not check motions at
         discrete states, the answer is the incumbent. */
-    class StrictAnswer
+    class StrictAnswer : public AnswerMaker
     {
     public:
         /** \brief \e context must outlive the object. */
@@ -68,11 +69,11 @@ namespace ompl_mfa::engine
         /** \brief Makes a new answer if there is a better incumbent and that is due. With \e demanded the full check is
             due now, for a few attempts an improvement. After a long search without an answer, the incumbent becomes the
             answer as it is. */
-        void update(bool demanded = false);
+        void update(bool demanded) override;
 
         /** \brief Makes the incumbent the answer as it is, unless there is one that was checked: nothing more can be
             done. */
-        void giveUp();
+        void giveUp() override;
 
         /** \brief Whether the answer was checked in full. */
         bool isStrict() const
@@ -81,7 +82,7 @@ namespace ompl_mfa::engine
         }
 
         /** \brief Whether the answer may differ from the incumbent. */
-        bool isActive() const;
+        bool isActive() const override;
 
     private:
         /* Attempts of one level. */
@@ -127,11 +128,11 @@ namespace ompl_mfa::engine
         void confirm();
 
         SearchContext &context_;
-        refinement::PathRepair repair_;
-        refinement::PathTightening tightening_;  ///< of the answer, or of a path that is to become better
-        std::uint64_t tighteningSpent_{0};       ///< work of that
-        bool canTighten_{false};                 ///< whether it has a path, which was checked in full
-        std::uint64_t confirmed_{0};             ///< improvements of the answer that was checked last as it was
+        PathRepair repair_;
+        PathTightening tightening_;         ///< of the answer, or of a path that is to become better
+        std::uint64_t tighteningSpent_{0};  ///< work of that
+        bool canTighten_{false};            ///< whether it has a path, which was checked in full
+        std::uint64_t confirmed_{0};        ///< improvements of the answer that was checked last as it was
         CheckedPath checked_;
         Effort full_;
         Effort corners_;
@@ -140,6 +141,6 @@ namespace ompl_mfa::engine
         std::uint64_t begin_{0};                 ///< work before the first attempt; 0: none
         CheckLevel level_{CheckLevel::Nowhere};  ///< of the answer
     };
-}  // namespace ompl_mfa::engine
+}  // namespace ompl_mfa::engine::refinement
 
 #endif

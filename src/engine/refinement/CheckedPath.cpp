@@ -34,14 +34,14 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "engine/CheckedPath.h"
+#include "engine/refinement/CheckedPath.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa::engine
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -122,4 +122,4 @@ namespace ompl_mfa::engine
         }
         return path.size();
     }
-}  // namespace ompl_mfa::engine
+}  // namespace ompl_mfa::engine::refinement

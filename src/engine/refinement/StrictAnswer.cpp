@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "engine/StrictAnswer.h"
+#include "engine/refinement/StrictAnswer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa::engine
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -329,7 +329,7 @@ namespace ompl_mfa::engine
     /* Repairs \e path where a check of \e level fails. */
     bool StrictAnswer::check(CheckLevel level, path::Waypoints &path)
     {
-        using Knowledge = refinement::PathRepair::Knowledge;
+        using Knowledge = PathRepair::Knowledge;
         checked_.insertRepairs(path);
         std::size_t hint = 0;
         const path::FinenessScope fine(context_.evaluator(), context_.settings.strictness,
@@ -348,4 +348,4 @@ namespace ompl_mfa::engine
                                              : Knowledge::Nothing;
                               });
     }
-}  // namespace ompl_mfa::engine
+}  // namespace ompl_mfa::engine::refinement

@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "engine/StrictAnswer.h"
+#include "engine/refinement/StrictAnswer.h"
 
 #include <cmath>
 #include <cstdint>
@@ -50,7 +50,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa::engine
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -288,4 +288,4 @@ namespace ompl_mfa::engine
             EXPECT_FALSE(strict_->isStrict());
         }
     }  // namespace
-}  // namespace ompl_mfa::engine
+}  // namespace ompl_mfa::engine::refinement
