@@ -46,6 +46,7 @@
 #include "engine/guides/GuestPlannerPart.h"
 #include "engine/guides/RoadmapPart.h"
 #include "engine/guides/TreePart.h"
+#include "engine/refinement/StrictAnswer.h"
 #include "engine/refinement/TighteningPart.h"
 
 namespace ompl_mfa::engine
@@ -139,5 +140,10 @@ namespace ompl_mfa::engine
             list.parts.push_back(std::make_unique<fireflies::GoalSearchPart>(context));
         }
         return list;
+    }
+
+    std::unique_ptr<AnswerMaker> makeAnswerMaker(SearchContext &context)
+    {
+        return std::make_unique<refinement::StrictAnswer>(context);
     }
 }  // namespace ompl_mfa::engine

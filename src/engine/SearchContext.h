@@ -37,6 +37,7 @@
 #ifndef OMPL_MFA_ENGINE_SEARCH_CONTEXT_
 #define OMPL_MFA_ENGINE_SEARCH_CONTEXT_
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 
@@ -58,6 +59,7 @@ namespace ompl_mfa::engine
     {
     private:
         std::unique_ptr<path::PathEvaluator> evaluator_;  // first, as others refer to it
+        std::atomic<double> incumbentCost_;
 
     public:
         /** \brief \e planner is used to choose the nearest-neighbour structure for the space. \e runSeed != 0 is the
@@ -99,6 +101,7 @@ namespace ompl_mfa::engine
         SearchProgress &progress;
         Query query;
         Incumbent incumbent;
+        Incumbent answer;  ///< the path to return: the best one that holds at a finer resolution, see StrictAnswer
         PathPool pool;
     };
 }  // namespace ompl_mfa::engine

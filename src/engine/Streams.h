@@ -63,8 +63,12 @@ namespace ompl_mfa::engine
         LocalTrees = 16,       ///< LocalTrees of PathSwarm
 
         // of a swarm, or of a search for goals
-        Epoch = 9,          ///< the fireflies of the epoch with this index
-        Recombination = 10  ///< fresh states for recombination
+        Epoch = 9,           ///< the fireflies of the epoch with this index
+        Recombination = 10,  ///< fresh states for recombination
+
+        // of a run
+        Strict = 17,           ///< PathRepair in StrictAnswer
+        StrictTightening = 18  ///< PathTightening in StrictAnswer
     };
 
     /** \brief The seed of \e stream, or of its \e index-th instance if there are several. \e seed is that of the run,
