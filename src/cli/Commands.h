@@ -53,6 +53,7 @@ namespace ompl_mfa::cli
     void addOptimizeCommand(CLI::App &app);
     void addPlanCommand(CLI::App &app);
     void addPlannersCommand(CLI::App &app);
+    void addReportCommand(CLI::App &app);
 }  // namespace ompl_mfa::cli
 
 #endif

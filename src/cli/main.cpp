@@ -163,6 +163,7 @@ namespace
         ompl_mfa::cli::addOptimizeCommand(app);
         ompl_mfa::cli::addPlanCommand(app);
         ompl_mfa::cli::addPlannersCommand(app);
+        ompl_mfa::cli::addReportCommand(app);
 
         static StandardErrorOutput output;
         ompl::msg::useOutputHandler(&output);
