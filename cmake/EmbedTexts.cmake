@@ -1,6 +1,6 @@
 # cmake -DOUTPUT=FILE.cpp "-DTEXTS=NAME;FILE;NAME;FILE..." -P EmbedTexts.cmake: writes the strings that
 # report/EmbeddedTexts.h declares. References to source maps, which a page would request, are left out.
-set(code "#include \"report/EmbeddedTexts.h\"\n\nnamespace ompl_mfa::report::embedded\n{\n")
+set(code "#include \"report/EmbeddedTexts.h\"\n\nnamespace ompl_mfa::report\n{\n")
 while(TEXTS)
     list(POP_FRONT TEXTS name file)
     file(READ ${file} bytes HEX)

@@ -39,8 +39,8 @@
 
 #include <string_view>
 
-/** \brief Files that are parts of the program, so that its pages need no others; cmake/EmbedTexts.cmake writes them. */
-namespace ompl_mfa::report::embedded
+// Files that are parts of the program, so that its pages need no others; cmake/EmbedTexts.cmake writes them.
+namespace ompl_mfa::report
 {
     /** \brief The plotting library dygraphs and its styles. */
     extern const std::string_view DYGRAPH_SCRIPT;
@@ -50,6 +50,6 @@ namespace ompl_mfa::report::embedded
     /** \brief The scripts of the page of results and of the animated swarm. */
     extern const std::string_view REPORT_SCRIPT;
     extern const std::string_view SWARM_SCRIPT;
-}  // namespace ompl_mfa::report::embedded
+}  // namespace ompl_mfa::report
 
 #endif

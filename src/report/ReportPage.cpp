@@ -356,8 +356,8 @@ namespace ompl_mfa::report
         }
         page.body += picturesSection(report) + methodSection(report) + "</main>";
         page.data = pageData(report);
-        page.styles = {embedded::DYGRAPH_STYLE, embedded::PAGE_STYLE};
-        page.scripts = {embedded::DYGRAPH_SCRIPT, embedded::REPORT_SCRIPT};
+        page.styles = {DYGRAPH_STYLE, PAGE_STYLE};
+        page.scripts = {DYGRAPH_SCRIPT, REPORT_SCRIPT};
         return htmlOf(page);
     }
 }  // namespace ompl_mfa::report
