@@ -47,6 +47,7 @@
     result. */
 namespace ompl_mfa::cli
 {
+    void addAnimateCommand(CLI::App &app);
     void addBenchmarkCommand(CLI::App &app);
     void addCheckCommand(CLI::App &app);
     void addMergeCommand(CLI::App &app);

@@ -48,6 +48,7 @@
 #include "benchmark/FileNames.h"
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
+#include "cli/ShellWord.h"
 #include "ompl_mfa/InputError.h"
 #include "report/Analysis.h"
 #include "report/ReportPage.h"
@@ -96,24 +97,6 @@ namespace ompl_mfa::cli
                 references[text.substr(0, equals)] = cost;
             }
             return references;
-        }
-
-        /* \e text as an argument for a shell. */
-        std::string shellWord(const std::string &text)
-        {
-            const bool isPlain = !text.empty() && text.find_first_not_of(
-                                                      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrst"
-                                                      "uvwxyz0123456789_-./=,:+@%") == std::string::npos;
-            if (isPlain)
-            {
-                return text;
-            }
-            std::string word = "'";
-            for (const char letter : text)
-            {
-                word += letter == '\'' ? "'\\''" : std::string(1, letter);
-            }
-            return word + "'";
         }
 
         std::string commandOf(const Options &options)

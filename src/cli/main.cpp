@@ -157,6 +157,7 @@ namespace
         CLI::App app{"Modified Firefly Algorithm planning for OMPL", "ompl_mfa"};
         app.set_version_flag("--version", describeVersion());
         app.require_subcommand(1);
+        ompl_mfa::cli::addAnimateCommand(app);
         ompl_mfa::cli::addBenchmarkCommand(app);
         ompl_mfa::cli::addCheckCommand(app);
         ompl_mfa::cli::addMergeCommand(app);

@@ -190,7 +190,7 @@ namespace ompl_mfa::report
                 most = std::max(most, planner.runs);
             }
             const std::string best = std::isfinite(summary.bestCost)
-                                         ? significant(summary.bestCost, PLOT_DIGITS) +
+                                         ? text::numberText(summary.bestCost, PLOT_DIGITS) +
                                                (summary.isReference ? " (given)" : " (of these runs)")
                                          : "none";
             return "<dl>" + fact("results", files) + fact("started", experiment.start) +

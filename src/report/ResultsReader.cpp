@@ -43,6 +43,7 @@
 #include <utility>
 
 #include "benchmark/CampaignMerge.h"
+#include "benchmark/LogText.h"
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 
@@ -111,7 +112,8 @@ namespace ompl_mfa::report
         Experiment experimentOf(const benchmark::BenchmarkLog &log, const std::vector<std::string> &files)
         {
             Experiment experiment;
-            experiment.name = log.experiment;
+            // as logs and databases have it
+            experiment.name = benchmark::oneWord(log.experiment);
             experiment.files = files;
             experiment.version = "OMPL " + log.version;
             const auto program = log.properties.find("ompl_mfa_version TEXT");
@@ -266,6 +268,17 @@ namespace ompl_mfa::report
             }
         }
 
+        /* OMPL's description of an objective says if larger values are better. */
+        void requireMinimised(const Experiment &experiment)
+        {
+            if (experiment.objective.rfind("Maximi", 0) == 0)
+            {
+                throw InputError(describeFiles(experiment) + ": experiment " + experiment.name +
+                                 " has the objective '" + experiment.objective +
+                                 "'; only objectives that are minimised are accepted");
+            }
+        }
+
         void removeEmptyPlanners(Experiment &experiment)
         {
             auto &planners = experiment.planners;
@@ -353,6 +366,7 @@ namespace ompl_mfa::report
         for (const Experiment &experiment : experiments)
         {
             requireCommonSeeds(experiment);
+            requireMinimised(experiment);
         }
         return experiments;
     }

@@ -49,7 +49,8 @@ namespace ompl_mfa::report
 
         Shards of a campaign are joined. So are experiments of the same name, seed and limits with different planners.
         Throws InputError, naming the file, if a file cannot be read or is of another kind, for experiments that cannot
-        be joined, if planners have different seeds in the same run, and if there is no run at all. */
+        be joined, if planners have different seeds in the same run, for objectives that are maximised, and if there is
+       no run at all. */
     std::vector<Experiment> readResults(const std::vector<std::string> &files);
 
     /** \brief The experiments in the SQLite database \e file, with the tables of `ompl_benchmark_statistics`, of any

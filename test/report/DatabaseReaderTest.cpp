@@ -176,6 +176,16 @@ namespace ompl_mfa::report
         EXPECT_EQ(joined.front().files, std::vector<std::string>{file_});
     }
 
+    TEST_F(DatabaseReaderTest, MaximisedObjectivesAreAnError)
+    {
+        make(std::string(FOREIGN) +
+             "UPDATE experiments SET setup = 'Optimization Objective: Maximizing Minimum "
+             "Clearance @0x1' || char(10) WHERE id = 2;");
+        EXPECT_EQ(errorOf(), file_ +
+                                 ": experiment second has the objective 'Maximizing Minimum Clearance'; only "
+                                 "objectives that are minimised are accepted");
+    }
+
     TEST_F(DatabaseReaderTest, MixedSeedsAreAnError)
     {
         make(std::string(FOREIGN) +
