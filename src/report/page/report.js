@@ -172,8 +172,5 @@
         });
     }));
     document.getElementById('cost-axis').addEventListener('change', event => drawAll(event.target.value));
-    const fit = () => plots.forEach(plot => plot.graph.resize());
-    window.addEventListener('beforeprint', fit);
-    window.addEventListener('afterprint', fit);
     drawAll('excess');
 })();
