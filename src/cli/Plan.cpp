@@ -59,6 +59,7 @@
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "cli/NumberOption.h"
+#include "cli/PlannerChoice.h"
 #include "cli/ProblemPicture.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/PlainText.h"
@@ -73,7 +74,6 @@ namespace ompl_mfa::cli
     {
         namespace ob = ompl::base;
         namespace og = ompl::geometric;
-        using benchmark::BenchmarkConfig;
         using benchmark::PlannerSpec;
         using benchmark::ProblemFactory;
 
@@ -111,28 +111,6 @@ namespace ompl_mfa::cli
             std::uint64_t checkedStates{0};
             std::uint64_t checkedMotions{0};
         };
-
-        /** \brief The instance in the config with this name, or else with this type, or else a new one of this type. */
-        PlannerSpec findSpec(const BenchmarkConfig &config, const std::string &planner)
-        {
-            for (const auto &spec : config.planners)
-            {
-                if (spec.name == planner)
-                {
-                    return spec;
-                }
-            }
-            const std::string type = lowerCase(planner);
-            for (const auto &spec : config.planners)
-            {
-                if (spec.type == type)
-                {
-                    return spec;
-                }
-            }
-            benchmark::requireKnownPlanner(type, "--planner");
-            return {type, benchmark::plannerTitle(type), "--planner", {}, {}};
-        }
 
         void overrideParameter(PlannerSpec &spec, const std::string &text)
         {
@@ -371,7 +349,7 @@ namespace ompl_mfa::cli
             }
             requireWritable("--picture", options.picture);
             requireWritable("--path", options.path);
-            PlannerSpec spec = findSpec(factory.config(), options.planner);
+            PlannerSpec spec = choosePlanner(factory.config(), options.planner);
             for (const auto &parameter : options.parameters)
             {
                 overrideParameter(spec, parameter);

@@ -140,24 +140,10 @@ namespace ompl_mfa::cli
 
             Axes makeAxes(const std::string &title) const
             {
-                const ob::RealVectorBounds bounds = positionBounds();
+                const ob::RealVectorBounds bounds = positionBounds(*setup_.getStateSpace());
                 const Eigen::Vector2d lower(bounds.low[view_.horizontal], bounds.low[view_.vertical]);
                 const Eigen::Vector2d upper(bounds.high[view_.horizontal], bounds.high[view_.vertical]);
                 return Axes(title, axisLabel(view_.horizontal), axisLabel(view_.vertical), lower, upper);
-            }
-
-            ob::RealVectorBounds positionBounds() const
-            {
-                const ob::StateSpace *space = setup_.getStateSpace().get();
-                if (const auto *planar = dynamic_cast<const ob::SE2StateSpace *>(space))
-                {
-                    return planar->getBounds();
-                }
-                if (const auto *spatial = dynamic_cast<const ob::SE3StateSpace *>(space))
-                {
-                    return spatial->getBounds();
-                }
-                return space->as<ob::RealVectorStateSpace>()->getBounds();
             }
 
             fcl::Transform3d pose(const ob::State *state) const
@@ -261,6 +247,19 @@ namespace ompl_mfa::cli
             Axes axes_;
         };
     }  // namespace
+
+    ob::RealVectorBounds positionBounds(const ob::StateSpace &space)
+    {
+        if (const auto *planar = dynamic_cast<const ob::SE2StateSpace *>(&space))
+        {
+            return planar->getBounds();
+        }
+        if (const auto *spatial = dynamic_cast<const ob::SE3StateSpace *>(&space))
+        {
+            return spatial->getBounds();
+        }
+        return space.as<ob::RealVectorStateSpace>()->getBounds();
+    }
 
     void drawProblem(const benchmark::ProblemFactory &problem, const og::SimpleSetup &setup,
                      const PictureContent &content, const std::string &file)

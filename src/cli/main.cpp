@@ -157,12 +157,14 @@ namespace
         CLI::App app{"Modified Firefly Algorithm planning for OMPL", "ompl_mfa"};
         app.set_version_flag("--version", describeVersion());
         app.require_subcommand(1);
+        ompl_mfa::cli::addAnimateCommand(app);
         ompl_mfa::cli::addBenchmarkCommand(app);
         ompl_mfa::cli::addCheckCommand(app);
         ompl_mfa::cli::addMergeCommand(app);
         ompl_mfa::cli::addOptimizeCommand(app);
         ompl_mfa::cli::addPlanCommand(app);
         ompl_mfa::cli::addPlannersCommand(app);
+        ompl_mfa::cli::addReportCommand(app);
 
         static StandardErrorOutput output;
         ompl::msg::useOutputHandler(&output);
