@@ -3,7 +3,7 @@ set(OMPL_MFA_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ompl_mfa)
 
 # The headers of the libraries that are built, one folder per library.
 set(OMPL_MFA_HEADERS include/ompl_mfa/optimizer include/ompl_mfa/planner)
-foreach(room pagmo collision benchmark)
+foreach(room pagmo collision maps benchmark)
     if(TARGET ompl_mfa_${room})
         list(APPEND OMPL_MFA_HEADERS include/ompl_mfa/${room})
     endif()
