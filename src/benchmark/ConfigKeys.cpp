@@ -45,6 +45,7 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include "benchmark/FileNames.h"
+#include "benchmark/MapKeys.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::benchmark
@@ -190,6 +191,11 @@ namespace ompl_mfa::benchmark
                 rows_.push_back(std::move(row));
             }
 
+            void add(const std::vector<ConfigRow<Config>> &rows)
+            {
+                rows_.insert(rows_.end(), rows.begin(), rows.end());
+            }
+
             std::vector<ConfigRow<Config>> take()
             {
                 return std::move(rows_);
@@ -255,16 +261,17 @@ namespace ompl_mfa::benchmark
         ConfigRow<ProblemConfig> robotRow()
         {
             return {{"robot"},
-                    "a mesh or planning scene, or one of point, disc, sphere",
+                    "a mesh or planning scene, or one of point, disc, sphere, footprint",
                     "required",
                     "what moves",
                     [](ProblemConfig &problem, std::size_t, const ConfigEntry &entry)
                     {
                         problem.robot = entry;
-                        problem.robotKind = entry.value == "point"    ? RobotKind::Point
-                                            : entry.value == "disc"   ? RobotKind::Disc
-                                            : entry.value == "sphere" ? RobotKind::Sphere
-                                                                      : RobotKind::File;
+                        problem.robotKind = entry.value == "point"       ? RobotKind::Point
+                                            : entry.value == "disc"      ? RobotKind::Disc
+                                            : entry.value == "sphere"    ? RobotKind::Sphere
+                                            : entry.value == "footprint" ? RobotKind::Footprint
+                                                                         : RobotKind::File;
                     }};
         }
 
@@ -282,7 +289,7 @@ namespace ompl_mfa::benchmark
 
         void addGeometry(Rows<ProblemConfig> &rows)
         {
-            rows.add({"start.x", "start.y", "goal.x", "goal.y"}, finite(), positionOf, "required",
+            rows.add({"start.x", "start.y", "goal.x", "goal.y"}, finite(), positionOf, "required without a scenario",
                      "position of the robot's reference point, see Spaces");
             rows.add({"start.z", "goal.z"}, finite(), heightOf, "the problem is planar", "its height");
             rows.add({"start.axis.x", "start.axis.y", "start.axis.z", "goal.axis.x", "goal.axis.y", "goal.axis.z"},
@@ -333,17 +340,21 @@ namespace ompl_mfa::benchmark
             using collision::MotionValidation;
             Rows<ProblemConfig> rows;
             rows.add(nameRow());
-            rows.add({"world"}, file("a mesh, a planning scene (.yaml, .scene) or an OctoMap (.bt, .ot)"),
+            rows.add({"world"},
+                     file("a mesh, a planning scene (.yaml, .scene), an OctoMap (.bt, .ot) or a map (.yaml, .map)"),
                      &ProblemConfig::world, "an empty world", "the obstacles");
+            rows.add(unknownCellsRow());
             rows.add(robotRow());
             rows.add({"robot.radius"}, positive(), &ProblemConfig::robotRadius, "required for these",
                      "radius of a disc or sphere");
+            rows.add(footprintRows());
+            rows.add(scenarioRows());
             addGeometry(rows);
             addObjective(rows);
             rows.add({"motion_validation"},
                      oneOf<MotionValidation>(
                          {{"discrete", MotionValidation::Discrete}, {"continuous", MotionValidation::Continuous}}),
-                     &ProblemConfig::motionValidation, "discrete",
+                     &ProblemConfig::motionValidation, "discrete; on a map continuous",
                      "whether motions are checked at states, as OMPL does, or as a whole");
             rows.add("mesh_interior",
                      oneOf<MeshInterior>({{"free", MeshInterior::Free}, {"solid", MeshInterior::Solid}}),
