@@ -37,6 +37,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -226,6 +227,26 @@ namespace ompl_mfa::cli
         write("bad.scen", "0 wall.map 10 10 1 8 2 8 1\n0 wall.map 10 10 1 8 4 8 1\n");
         write("bad.cfg", "[problem]\nworld = wall.map\nscenario = bad.scen\nrobot = point\n");
         expectBadInput("check " + path("bad.cfg"), {"bad.scen:2: goal (4, 8) is in collision"});
+    }
+
+    TEST_F(Maps, ReadyConfigsAreValid)
+    {
+        const std::string folder = OMPL_MFA_SOURCE_DIR "/benchmarks/maps/";
+        for (const char *name : {"warehouse", "office", "parking", "cave"})
+        {
+            const ProgramResult result = runProgram("check '" + folder + name + ".cfg'");
+            EXPECT_EQ(result.status, 0) << result.err;
+        }
+        if (std::system("python3 -c ''") != 0)  // NOLINT(bugprone-command-processor)
+        {
+            GTEST_SKIP() << "no python3";
+        }
+        ASSERT_EQ(std::system(("python3 '" + folder + "make_maps.py' --city " + path("city")).c_str()), 0);  // NOLINT
+        setenv("OMPL_MFA_RESOURCE_DIR", path("city").c_str(), 1);
+        const ProgramResult result = runProgram("check '" + folder + "city.cfg'");
+        unsetenv("OMPL_MFA_RESOURCE_DIR");
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_NE(result.out.find("4000 x 4000 cells"), std::string::npos) << result.out;
     }
 
     TEST_F(Maps, BenchmarkSummarizesTheSet)
