@@ -77,7 +77,8 @@ namespace ompl_mfa::cli
                       "version 1\n0\twall.map\t10\t10\t1\t8\t2\t8\t1\n4\twall.map\t10\t10\t1\t8\t8\t8\t17.071\n");
                 write("set.cfg",
                       "[problem]\nworld = wall.map\nscenario = wall.scen\nrobot = point\nobjective = length\n"
-                      "[benchmark]\ntime_limit = 0.3\nrun_count = 2\n[planner]\nmfa =\nrrtconnect =\n");
+                      "objective.threshold = 16.2\n[benchmark]\ntime_limit = 20\nrun_count = 2\n[planner]\nmfa "
+                      "=\nrrtconnect =\n");
                 std::string image = "P2 60 40 255\n";
                 for (int pixel = 0; pixel < 60 * 40; ++pixel)
                 {
@@ -89,12 +90,11 @@ namespace ompl_mfa::cli
                 write("room.yaml",
                       "image: room.pgm\nresolution: 0.1\norigin: [-1.0, 2.0, 0.0]\nnegate: 0\n"
                       "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
-                write(
-                    "room.cfg",
-                    "[problem]\nworld = room.yaml\nrobot = footprint\n"
-                    "robot.footprint = [[-0.3, -0.2], [0.4, -0.2], [0.4, 0.2], [-0.3, 0.2]]\n"
-                    "start.x = 0.3\nstart.y = 2.7\nstart.theta = 0\n"
-                    "goal.x = 4\ngoal.y = 2.7\ngoal.theta = 1.5\nobjective = length\n[benchmark]\ntime_limit = 0.4\n");
+                write("room.cfg",
+                      "[problem]\nworld = room.yaml\nrobot = footprint\n"
+                      "robot.footprint = [[-0.3, -0.2], [0.4, -0.2], [0.4, 0.2], [-0.3, 0.2]]\n"
+                      "start.x = 0.3\nstart.y = 2.7\nstart.theta = 0\n"
+                      "goal.x = 4\ngoal.y = 2.7\ngoal.theta = 1.5\nobjective = length\n[benchmark]\ntime_limit = 20\n");
             }
 
             ~Maps() override
@@ -168,7 +168,7 @@ namespace ompl_mfa::cli
 
     TEST_F(Maps, PlanWritesAPathOfRos)
     {
-        ASSERT_EQ(runProgram("plan " + path("room.cfg") + " --path " + path("a.yaml")).status, 0);
+        ASSERT_EQ(runProgram("plan " + path("room.cfg") + " --planner rrtconnect --path " + path("a.yaml")).status, 0);
         const std::string text = readFile(path("a.yaml"));
         EXPECT_EQ(text.rfind("header: {stamp: {sec: 0, nanosec: 0}, frame_id: map}\nposes:\n- header: ", 0), 0U)
             << text;
@@ -189,7 +189,9 @@ namespace ompl_mfa::cli
     {
         for (const char *name : {"a.svg", "a.png", "a.pdf"})
         {
-            ASSERT_EQ(runProgram("plan " + path("room.cfg") + " --picture " + path(name)).status, 0) << name;
+            ASSERT_EQ(runProgram("plan " + path("room.cfg") + " --planner rrtconnect --picture " + path(name)).status,
+                      0)
+                << name;
         }
         std::string text = pdfText(path("a.pdf"));
         for (const std::string word : {"occupied", "unknown", "within the inscribed radius", "low clearance",
@@ -263,7 +265,7 @@ namespace ompl_mfa::cli
             EXPECT_GE(planner["first_solution_set_95"], planner["first_solution_set_median"]);
         }
         // MFA's paths are the best of both problems, and shorter than the octile ones
-        EXPECT_NEAR(document["planners"][0]["cost_to_best_95"].get<double>(), 1.0, 0.01);
+        EXPECT_NEAR(document["planners"][0]["cost_to_best_95"].get<double>(), 1.0, 0.03);
         EXPECT_LT(document["planners"][0]["cost_to_octile_median"].get<double>(), 1.0);
         const std::string log = readFile(document["log"]);
         EXPECT_NE(log.find("problem INTEGER"), std::string::npos);
