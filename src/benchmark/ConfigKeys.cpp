@@ -278,8 +278,10 @@ namespace ompl_mfa::benchmark
         ConfigRow<ProblemConfig> weightRow()
         {
             static constexpr ObjectiveKind TERMS[] = {ObjectiveKind::Length, ObjectiveKind::MechanicalWork,
-                                                      ObjectiveKind::Proximity};
-            return {{"objective.weight.length", "objective.weight.mechanical_work", "objective.weight.proximity"},
+                                                      ObjectiveKind::Proximity, ObjectiveKind::ClearanceCost,
+                                                      ObjectiveKind::Smoothness};
+            return {{"objective.weight.length", "objective.weight.mechanical_work", "objective.weight.proximity",
+                     "objective.weight.clearance_cost", "objective.weight.smoothness"},
                     positive().accepted,
                     "not in the sum",
                     "weight of this term of a weighted sum, which has at least one",
@@ -318,11 +320,19 @@ namespace ompl_mfa::benchmark
                      oneOf<ObjectiveKind>({{"length", ObjectiveKind::Length},
                                            {"max_min_clearance", ObjectiveKind::MaxMinClearance},
                                            {"mechanical_work", ObjectiveKind::MechanicalWork},
+                                           {"clearance_cost", ObjectiveKind::ClearanceCost},
                                            {"weighted", ObjectiveKind::Weighted}}),
                      &ProblemConfig::objective, "none, see below", "what the planners optimize");
             rows.add({"objective.threshold"}, finite(), &ProblemConfig::objectiveThreshold,
                      "the objective's own: the best possible", "cost at which an optimizing planner may stop");
             rows.add(weightRow());
+            const auto atLeast0 = number("a number of at least 0", [](double value) { return value >= 0.0; });
+            rows.add("objective.cost_scaling_factor", atLeast0, &ProblemConfig::costScalingFactor,
+                     "how fast clearance_cost falls with the distance from obstacles, per world unit");
+            rows.add({"objective.inscribed_radius"}, atLeast0, &ProblemConfig::inscribedRadius, "the robot's",
+                     "distance up to which clearance_cost is highest");
+            rows.add("objective.cost_penalty", atLeast0, &ProblemConfig::costPenalty,
+                     "what a path at that distance costs per length, in addition to 1");
         }
 
         const Words<SamplerKind> SAMPLERS = {{"uniform", SamplerKind::Uniform},

@@ -427,9 +427,16 @@ namespace ompl_mfa::benchmark
         auto setup = std::make_shared<og::SimpleSetup>(space);
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
         setChecking(si);
-        if (const auto objective = makeObjective(si, problem))
+        try
         {
-            setup->setOptimizationObjective(objective);
+            if (const auto objective = makeObjective(si, problem))
+            {
+                setup->setOptimizationObjective(objective);
+            }
+        }
+        catch (const InputError &error)
+        {
+            failAt(problem.objectiveOrigin, error.what());
         }
         si->setup();
         setProjection(*space, context);

@@ -255,7 +255,7 @@ namespace ompl_mfa::benchmark
                       "folder/a.cfg:8: problem.threshold = wide: expected a number of at least 0");
             EXPECT_EQ(errorOf(PLANAR + "objective = shortest\n"),
                       "folder/a.cfg:8: problem.objective = shortest: expected one of length, max_min_clearance, "
-                      "mechanical_work, weighted");
+                      "mechanical_work, clearance_cost, weighted");
             EXPECT_EQ(errorOf(PLANAR + "motion_validation = continous\n"),
                       "folder/a.cfg:8: problem.motion_validation = continous: expected one of discrete, continuous");
             EXPECT_EQ(errorOf(PLANAR + "[benchmark]\nsave_paths = best\n"),

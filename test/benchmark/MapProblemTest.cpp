@@ -36,10 +36,12 @@
 
 #include "benchmark/MapProblem.h"
 
+#include <cmath>
 #include <sstream>
 
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
+#include <ompl/base/goals/GoalState.h>
 
 #include "benchmark/InputErrorOf.h"
 #include "maps/MapFolder.h"
@@ -184,6 +186,33 @@ namespace ompl_mfa::benchmark
                         .create()
                         ->getStateSpace()
                         ->isCompound());
+    }
+
+    TEST_F(MapProblem, ObjectivesOfMaps)
+    {
+        const std::string lines = "world = a.map\n" + POINT + POSITIONS;
+        const std::string turned = "start.theta = 0\ngoal.theta = 0\n";
+        const auto cost = [&](const std::string &objective)
+        {
+            const auto setup = ProblemFactory(config(lines + objective)).create();
+            const auto &si = setup->getSpaceInformation();
+            ompl::geometric::PathGeometric path(si, setup->getProblemDefinition()->getStartState(0),
+                                                setup->getGoal()->as<ompl::base::GoalState>()->getState());
+            return path.cost(setup->getOptimizationObjective()).value();
+        };
+        // 0.5 from the edge all the way
+        EXPECT_NEAR(cost("objective = clearance_cost\nobjective.cost_penalty = 3\nobjective.cost_scaling_factor = 2\n"),
+                    4.0 * (1.0 + 3.0 * std::exp(-1.0)), 1e-6);
+        EXPECT_NEAR(cost("objective = clearance_cost\nobjective.inscribed_radius = 0.5\n"), 4.0 * 3.0, 1e-6);
+        EXPECT_NEAR(
+            cost("objective = weighted\nobjective.weight.length = 2\nobjective.weight.smoothness = 7\n" + turned), 8.0,
+            1e-12);
+        expectFault("volume.min.x = -9\nvolume.min.y = -9\nvolume.max.x = 9\nvolume.max.y = 9\n" + POINT + POSITIONS +
+                        "objective = clearance_cost\n",
+                    "a.cfg:11: ", "clearance_cost is for maps");
+        expectFault(lines + "objective = weighted\nobjective.weight.smoothness = 1\n", "a.cfg:8: ", "in SE(2)");
+        expectFault(lines + "objective = length\nobjective.cost_penalty = 1\n",
+                    "a.cfg:9: problem.objective.cost_penalty", "only clearance_cost");
     }
 
     TEST_F(MapProblem, FaultsOfKeys)

@@ -82,8 +82,10 @@ namespace ompl_mfa::benchmark
         Length,
         MaxMinClearance,  ///< not as a term
         MechanicalWork,
-        Proximity,  ///< only as a term
-        Weighted    ///< the sum of the problem's objectiveWeights
+        ClearanceCost,  ///< length weighted by Nav2's inflation, on a map
+        Proximity,      ///< only as a term
+        Smoothness,     ///< only as a term, in SE2
+        Weighted        ///< the sum of the problem's objectiveWeights
     };
 
     /** \brief How valid states are sampled. */
@@ -181,8 +183,14 @@ namespace ompl_mfa::benchmark
         /** \brief If empty the problem has no objective: each planner uses its default, and those that do not optimize
             stop at their first path. */
         std::optional<ObjectiveKind> objective;
+        /** \brief "FILE:LINE" of the objective, for errors. */
+        std::string objectiveOrigin;
         /** \brief Cost at which an optimizing planner may stop; the objective's default if not set. */
         std::optional<double> objectiveThreshold;
+        /** \brief Settings of ClearanceCost; the inscribed radius is the robot's if not set. */
+        double costScalingFactor{3.0};
+        std::optional<double> inscribedRadius;
+        double costPenalty{2.0};
         /** \brief objective.weight.NAME, in the order written; nonempty exactly if the objective is `weighted`. */
         std::vector<std::pair<ObjectiveKind, double>> objectiveWeights;
         /** \brief Motions on a map are checked continuously if it is not set, those in other worlds discretely. */
