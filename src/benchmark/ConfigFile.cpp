@@ -427,23 +427,6 @@ namespace ompl_mfa::benchmark
                 }
             }
 
-            /* Settings of clearance_cost are for problems whose objective, or a term of it, it is. */
-            void checkClearanceCost(const ProblemConfig &problem) const
-            {
-                const bool isTerm =
-                    std::any_of(problem.objectiveWeights.begin(), problem.objectiveWeights.end(),
-                                [](const auto &term) { return term.first == ObjectiveKind::ClearanceCost; });
-                for (const char *key :
-                     {"objective.cost_scaling_factor", "objective.inscribed_radius", "objective.cost_penalty"})
-                {
-                    const ConfigEntry *entry = find(problem_, key);
-                    if (entry && !isTerm && problem.objective != ObjectiveKind::ClearanceCost)
-                    {
-                        failAt(*entry, "only clearance_cost has it, as the objective or with a weight");
-                    }
-                }
-            }
-
             void checkObjective()
             {
                 ProblemConfig &problem = config_.problem;
@@ -451,7 +434,7 @@ namespace ompl_mfa::benchmark
                 {
                     problem.objectiveOrigin = objective->origin;
                 }
-                checkClearanceCost(problem);
+                checkClearanceCostKeys(problem_, problem);
                 const ConfigEntry *threshold = find(problem_, "objective.threshold");
                 const bool isWeighted = problem.objective == ObjectiveKind::Weighted;
                 if (threshold && !problem.objective)

@@ -36,6 +36,7 @@
 
 #include "benchmark/MapKeys.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -229,6 +230,21 @@ namespace ompl_mfa::benchmark
             if (entry != nullptr && hasScenario)
             {
                 failAt(*entry, "the scenario gives the positions of start and goal; remove one of them");
+            }
+        }
+    }
+
+    void checkClearanceCostKeys(const Entries &entries, const ProblemConfig &problem)
+    {
+        const bool isTerm = std::any_of(problem.objectiveWeights.begin(), problem.objectiveWeights.end(),
+                                        [](const auto &term) { return term.first == ObjectiveKind::ClearanceCost; });
+        for (const char *key :
+             {"objective.cost_scaling_factor", "objective.inscribed_radius", "objective.cost_penalty"})
+        {
+            const ConfigEntry *entry = find(entries, key);
+            if (entry != nullptr && !isTerm && problem.objective != ObjectiveKind::ClearanceCost)
+            {
+                failAt(*entry, "only clearance_cost has it, as the objective or with a weight");
             }
         }
     }

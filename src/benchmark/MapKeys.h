@@ -54,11 +54,12 @@ namespace ompl_mfa::benchmark
     /** \brief The rows of `scenario` and `scenario.index`. */
     std::vector<ConfigRow<ProblemConfig>> scenarioRows();
 
-    /** \brief Throws InputError where keys of robots or scenarios lack others that they need or exclude. \e entries are
-        those of [problem]. */
+    /** \brief Throws InputError where keys of robots, scenarios or objectives lack others that they need or exclude. \e
+       entries are those of [problem]. */
     void checkRobotKeys(const std::map<std::string, ConfigEntry> &entries, const ProblemConfig &problem,
                         const std::string &file);
     void checkScenarioKeys(const std::map<std::string, ConfigEntry> &entries);
+    void checkClearanceCostKeys(const std::map<std::string, ConfigEntry> &entries, const ProblemConfig &problem);
 }  // namespace ompl_mfa::benchmark
 
 #endif

@@ -75,8 +75,9 @@ namespace ompl_mfa::maps
 
     bool GridRobot::isFree(const GridPose &pose) const
     {
-        return isClearlyFree(pose, 0.0) ||
-               (!isClearlyBlocked(pose) && isSweepFree(pose.position, pose.position, pose.yaw, 0.0));
+        return pose.position.allFinite() &&
+               (isClearlyFree(pose, 0.0) ||
+                (!isClearlyBlocked(pose) && isSweepFree(pose.position, pose.position, pose.yaw, 0.0)));
     }
 
     bool GridRobot::isClearlyFree(const GridPose &pose, double travel) const

@@ -48,14 +48,17 @@ namespace ompl_mfa::maps
         /* In cells; touching counts as a collision, whatever the rounding. */
         constexpr double ROUNDING = 1e-9;
 
+        /* Farther than any cell of a map, and whole as a double. */
+        constexpr double FARTHEST = 1e12;
+
         std::int64_t lowestCell(double coordinate)
         {
-            return static_cast<std::int64_t>(std::ceil(coordinate - ROUNDING)) - 1;
+            return static_cast<std::int64_t>(std::clamp(std::ceil(coordinate - ROUNDING), -FARTHEST, FARTHEST)) - 1;
         }
 
         std::int64_t highestCell(double coordinate)
         {
-            return static_cast<std::int64_t>(std::floor(coordinate + ROUNDING));
+            return static_cast<std::int64_t>(std::clamp(std::floor(coordinate + ROUNDING), -FARTHEST, FARTHEST));
         }
     }  // namespace
 

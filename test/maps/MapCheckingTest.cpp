@@ -404,6 +404,25 @@ namespace ompl_mfa::maps
         EXPECT_NEAR(last[0], 15.0, 0.05);
     }
 
+    TEST(MapChecking, StatesBeyondAllMapsAndNumbersAreInvalid)
+    {
+        const auto space = std::make_shared<ob::RealVectorStateSpace>(2);
+        space->setBounds(-1e30, 1e30);
+        const auto si = std::make_shared<ob::SpaceInformation>(space);
+        const auto checker =
+            setMapChecking(si, std::make_shared<ObstacleGrid>(test::mapOf({"...."})), Footprint::polygon(CAR));
+        si->setup();
+        ob::ScopedState<> state(space);
+        for (const double x : {1e30, -1e30, 1e9, static_cast<double>(NAN)})
+        {
+            state[0] = x;
+            state[1] = 0.5;
+            EXPECT_FALSE(si->isValid(state.get())) << x;
+        }
+        state[0] = -1e9;
+        EXPECT_NEAR(checker->clearance(state.get()), -1e9, 10.0);
+    }
+
     TEST(MapChecking, OtherSpacesAreRefused)
     {
         const auto space = std::make_shared<ob::SE3StateSpace>();
