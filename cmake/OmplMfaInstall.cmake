@@ -3,7 +3,7 @@ set(OMPL_MFA_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ompl_mfa)
 
 # The headers of the libraries that are built, one folder per library.
 set(OMPL_MFA_HEADERS include/ompl_mfa/optimizer include/ompl_mfa/planner)
-foreach(room pagmo collision benchmark)
+foreach(room pagmo collision maps benchmark)
     if(TARGET ompl_mfa_${room})
         list(APPEND OMPL_MFA_HEADERS include/ompl_mfa/${room})
     endif()
@@ -50,7 +50,11 @@ ompl_mfa_pkg_config(ompl_mfa "${PROJECT_DESCRIPTION}" REQUIRES eigen3 LIBS ${OMP
 if(TARGET ompl_mfa_collision)
     ompl_mfa_pkg_config(ompl_mfa_collision "Collision checking with FCL for OMPL" REQUIRES ompl_mfa fcl assimp octomap yaml-cpp)
 endif()
+if(TARGET ompl_mfa_maps)
+    ompl_mfa_pkg_config(ompl_mfa_maps "Robots on occupancy grids for OMPL" REQUIRES ompl_mfa yaml-cpp GraphicsMagick)
+endif()
 if(TARGET ompl_mfa_benchmark)
-    ompl_mfa_pkg_config(ompl_mfa_benchmark "OMPL benchmark configs, campaigns and logs" REQUIRES ompl_mfa_collision sqlite3)
+    ompl_mfa_pkg_config(ompl_mfa_benchmark "OMPL benchmark configs, campaigns and logs"
+                        REQUIRES ompl_mfa_collision ompl_mfa_maps sqlite3)
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -63,7 +63,7 @@ function(ompl_mfa_add_test name)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/test)
     target_compile_definitions(${name} PRIVATE OMPL_MFA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     ompl_mfa_optimize_lightly(${name})
-    if("${ARG_LIBRARIES}" MATCHES "ompl_mfa(::(ompl_mfa|collision|benchmark)|_cli|_anytime|_paper)")
+    if("${ARG_LIBRARIES}" MATCHES "ompl_mfa(::(ompl_mfa|collision|maps|benchmark)|_cli|_anytime|_paper)")
         target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/OmplSeed.cpp)
     endif()
     # Tests that do not link OMPL are compiled without it.

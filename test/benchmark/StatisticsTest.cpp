@@ -64,13 +64,13 @@ namespace ompl_mfa::benchmark
         template <class T>
         CampaignPlanner entry(const std::string &name)
         {
-            return {name, [] { return planarProblem(); },
+            return {name, [](std::size_t) { return planarProblem(); },
                     [](const ob::SpaceInformationPtr &si) { return std::make_shared<T>(si); }};
         }
 
         CampaignPlanner hostile(const std::string &name, const ob::PlannerAllocator &allocator)
         {
-            return {name, [] { return planarProblem(); }, allocator};
+            return {name, [](std::size_t) { return planarProblem(); }, allocator};
         }
 
         int shell(const std::string &command)
