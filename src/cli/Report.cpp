@@ -79,6 +79,7 @@ namespace ompl_mfa::cli
                                                      const std::vector<report::Experiment> &experiments)
         {
             std::vector<std::string> names;
+            names.reserve(experiments.size());
             for (const report::Experiment &experiment : experiments)
             {
                 names.push_back(experiment.name);

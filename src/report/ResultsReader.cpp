@@ -181,7 +181,7 @@ namespace ompl_mfa::report
             {
                 return file;
             }
-            const std::string journal = benchmark::Campaign::journalFile(file).string();
+            std::string journal = benchmark::Campaign::journalFile(file).string();
             if (std::ifstream(journal).is_open())
             {
                 return journal;
