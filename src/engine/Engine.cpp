@@ -58,6 +58,9 @@ namespace ompl_mfa::engine
         constexpr std::uint64_t SHORTEST_TURN = 400;
         constexpr std::uint64_t LONGEST_TURN = 8000;
 
+        /* Paths that are kept for swarms which have not begun; the last ones. */
+        constexpr std::size_t MAX_FIRST_FIREFLIES = 20;
+
         /* Pause when no part is ready. */
         constexpr std::chrono::milliseconds IDLE(1);
 
@@ -102,6 +105,7 @@ namespace ompl_mfa::engine
       , bounds_(chart->bounds())
       , parts_(makeParts(context_, guest))
       , straightMotions_(context_, parts_.guided)
+      , hints_(context_, parts_.mender.get())
       , proof_(context_)
     {
         context_.evaluator().setPartialPathEvent(
@@ -114,6 +118,56 @@ namespace ompl_mfa::engine
     }
 
     Engine::~Engine() = default;
+
+    void Engine::inherit(Engine &predecessor, bool sameValidity)
+    {
+        SearchContext &earlier = predecessor.context_;
+        // costs other than length may depend on the world, like validity
+        const bool sameCosts =
+            context_.query.hasObjectiveOf(earlier.query) && (sameValidity || context_.evaluator().bounds().certain());
+        const Heritage heritage{context_.chart->space() == earlier.chart->space() && bounds_ == predecessor.bounds_,
+                                sameValidity, sameCosts};
+        for (const auto &part : parts_.parts)
+        {
+            for (const auto &other : predecessor.parts_.parts)
+            {
+                if (part->kind() == other->kind())
+                {
+                    part->inherit(*other, heritage);
+                }
+            }
+        }
+        if (earlier.incumbent.hasPath())
+        {
+            hints_.add(earlier.incumbent.path());
+        }
+        for (std::size_t i = 0; i < predecessor.hints_.size(); ++i)
+        {
+            hints_.add(predecessor.hints_[i]);
+        }
+        for (std::size_t i = 0; i < earlier.pool.size(); ++i)
+        {
+            if (earlier.pool[i].cost != earlier.incumbent.cost())
+            {
+                hints_.add(earlier.pool[i].path);
+            }
+        }
+        context_.firstFireflies = earlier.firstFireflies;
+    }
+
+    void Engine::addHint(path::Waypoints path)
+    {
+        std::vector<path::Waypoints> &fireflies = context_.firstFireflies;
+        if (fireflies.size() >= MAX_FIRST_FIREFLIES)
+        {
+            fireflies.erase(fireflies.begin());
+        }
+        fireflies.push_back(path);
+        if (parts_.mender)
+        {
+            hints_.add(std::move(path));
+        }
+    }
 
     bool Engine::canContinue(const ob::ProblemDefinition &pdef, const ob::PlannerTerminationCondition &ptc)
     {
@@ -188,6 +242,7 @@ namespace ompl_mfa::engine
         context_.query.poll(inputs);
         tryStraightMotions();
         considerPending();
+        tryHints();
         updatePhase();
         std::vector<Readiness> readiness;
         for (const auto &part : parts_.parts)
@@ -216,6 +271,13 @@ namespace ompl_mfa::engine
             found = !findings.paths.empty();
             consider(findings);
         }
+    }
+
+    void Engine::tryHints()
+    {
+        Findings findings(context_.chart->space());
+        hints_.advance(findings);
+        consider(findings);
     }
 
     void Engine::considerPending()

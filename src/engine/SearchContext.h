@@ -39,6 +39,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <ompl/base/Planner.h>
 
@@ -100,6 +101,7 @@ namespace ompl_mfa::engine
         Query query;
         Incumbent incumbent;
         PathPool pool;
+        std::vector<path::Waypoints> firstFireflies;  ///< hints, valid or not, for swarms not begun yet
     };
 }  // namespace ompl_mfa::engine
 

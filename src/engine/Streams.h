@@ -61,6 +61,8 @@ namespace ompl_mfa::engine
         PathSwarm = 14,        ///< PathSwarm
         SwarmTightening = 15,  ///< PathTightening in PathSwarm
         LocalTrees = 16,       ///< LocalTrees of PathSwarm
+        Mending = 17,          ///< LocalTrees of PathMending
+        Successor = 18,        ///< the search with this index that continues an earlier one
 
         // of a swarm, or of a search for goals
         Epoch = 9,          ///< the fireflies of the epoch with this index

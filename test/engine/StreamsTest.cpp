@@ -58,7 +58,7 @@ namespace ompl_mfa::engine
         constexpr Stream STREAMS[] = {
             Stream::Trees,     Stream::Roadmap, Stream::Tightening, Stream::NewTightening,   Stream::DraftTightening,
             Stream::BestDraft, Stream::Repair,  Stream::PathSwarm,  Stream::SwarmTightening, Stream::LocalTrees,
-            Stream::Swarm,     Stream::Detours, Stream::GoalSearch};
+            Stream::Swarm,     Stream::Detours, Stream::GoalSearch, Stream::Mending,         Stream::Successor};
 
         std::string name(std::uint64_t run, Stream stream, std::uint64_t index)
         {

@@ -74,9 +74,51 @@ namespace ompl_mfa::engine::graph
         vertices_.clear();
         edges_.clear();
         checks_.clear();
+        dropped_.clear();
         starts_.clear();
         goals_.clear();
         acyclic_ = true;
+        begun_ = false;
+    }
+
+    void LazyGraph::take(LazyGraph &other)
+    {
+        clear();
+        std::swap(states_, other.states_);
+        vertices_.swap(other.vertices_);
+        edges_.swap(other.edges_);
+        checks_.swap(other.checks_);
+        dropped_.swap(other.dropped_);
+        acyclic_ = other.acyclic_;
+        for (Vertex &vertex : vertices_)
+        {
+            vertex.start = false;
+            vertex.goal = NONE;
+        }
+        other.clear();
+    }
+
+    void LazyGraph::forgetValidity()
+    {
+        for (Vertex &vertex : vertices_)
+        {
+            vertex.validity = Validity::Unknown;
+        }
+        const Edge *last = nullptr;
+        for (const Edge &edge : dropped_)
+        {
+            // the two directions of a motion are adjacent
+            if (last == nullptr || last->check != edge.check || last->from != edge.to || last->to != edge.from)
+            {
+                checks_.push_back(Validity::Unknown);
+            }
+            last = &edge;
+            vertices_[edge.from].out.push_back(static_cast<Index>(edges_.size()));
+            vertices_[edge.to].in.push_back(static_cast<Index>(edges_.size()));
+            edges_.push_back({edge.from, edge.to, static_cast<Index>(checks_.size() - 1), edge.cost});
+        }
+        dropped_.clear();
+        std::fill(checks_.begin(), checks_.end(), Validity::Unknown);
         begun_ = false;
     }
 
@@ -153,6 +195,14 @@ namespace ompl_mfa::engine::graph
         }
         std::deque<Edge> edges;
         std::vector<Validity> checks;
+        std::vector<Edge> dropped;
+        for (const Edge &edge : dropped_)
+        {
+            if (numbers[edge.from] != NONE && numbers[edge.to] != NONE)
+            {
+                dropped.push_back({numbers[edge.from], numbers[edge.to], edge.check, edge.cost});
+            }
+        }
         // the two directions of a motion are adjacent
         Index check = NONE;
         std::size_t handled = 0;
@@ -164,8 +214,13 @@ namespace ompl_mfa::engine::graph
             }
             const Index from = numbers[edge.from];
             const Index to = numbers[edge.to];
-            if (from == NONE || to == NONE || checks_[edge.check] == Validity::Invalid)
+            if (from == NONE || to == NONE)
             {
+                continue;
+            }
+            if (checks_[edge.check] == Validity::Invalid)
+            {
+                dropped.push_back({from, to, edge.check, edge.cost});
                 continue;
             }
             if (edge.check != check)
@@ -180,6 +235,7 @@ namespace ompl_mfa::engine::graph
         evaluator_.addWork(edges_.size() / EDGES_PER_WORK);
         edges_.swap(edges);
         checks_.swap(checks);
+        dropped_.swap(dropped);
         vertices_.swap(vertices);
         for (std::size_t v = 0; v < numbers.size(); ++v)
         {

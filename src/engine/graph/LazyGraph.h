@@ -87,6 +87,20 @@ namespace ompl_mfa::engine::graph
            renumbered from 0. False if the evaluator was interrupted; then nothing is removed. */
         bool retain(const std::vector<bool> &kept);
 
+        /** \brief Takes all vertices and edges of \e other, a graph over the same space and objective, with what is
+            known of them, but no starts and goals. \e other is then empty. */
+        void take(LazyGraph &other);
+
+        /** \brief Forgets what is known of the validity of states and motions, also of motions that retain() removed
+            as invalid: these are edges again if both their vertices are left. */
+        void forgetValidity();
+
+        /** \brief Whether \e vertex was found valid. */
+        bool isValid(std::size_t vertex) const
+        {
+            return vertices_[vertex].validity == Validity::Valid;
+        }
+
         std::size_t size() const
         {
             return vertices_.size();
@@ -236,6 +250,7 @@ namespace ompl_mfa::engine::graph
         std::vector<Vertex> vertices_;
         std::deque<Edge> edges_;  ///< a vector would take milliseconds to copy when it grows
         std::vector<Validity> checks_;
+        std::vector<Edge> dropped_;  ///< invalid edges removed by retain(), in case they become valid
         std::vector<End> starts_;
         std::vector<End> goals_;
         std::vector<QueueEntry> queue_;

@@ -81,6 +81,10 @@ namespace ompl_mfa::engine::guides
         Readiness readiness() const override;
         bool search(double bound, std::uint64_t work, path::Waypoints &path) override;
 
+        /** \brief Takes over the roadmap: as it is, without its validity, or, if costs have changed, its states only,
+            which are then added again before new ones are drawn. */
+        void inherit(SearchPart &predecessor, const Heritage &heritage) override;
+
         /** \brief Appends all states of the roadmap, and the motions that searches found valid. */
         void explain(SearchGraph &graph) const override;
 
@@ -97,6 +101,8 @@ namespace ompl_mfa::engine::guides
         };
 
         bool addEnds();
+        std::size_t addEnd(const ompl::base::State *state);
+        bool drawState(double bound, double &lowerBound);
         void addBatch(double bound, std::uint64_t limit);
         std::size_t add(const ompl::base::State *state, double lowerBound);
         double searchBound(double bound) const;
@@ -108,11 +114,15 @@ namespace ompl_mfa::engine::guides
         void renew();
 
         bool afterTrees_;
+        bool inherited_{false};  ///< whether the roadmap is that of an earlier search
         path::StateChartPtr chart_;
         path::PathEvaluator &evaluator_;
         InformedSampler sampler_;
         graph::LazyGraph graph_;
-        std::vector<Promise> promises_;  ///< for each vertex
+        std::shared_ptr<const graph::LazyGraph *> measured_;  ///< the graph whose states nearest_ measures
+        path::Waypoints recycled_;                            ///< states of an earlier roadmap, to be added again
+        std::vector<std::size_t> earlierEnds_;  ///< vertices that were starts or goals of an earlier query
+        std::vector<Promise> promises_;         ///< for each vertex
         std::shared_ptr<ompl::NearestNeighbors<std::size_t>> nearest_;
         std::size_t indexed_{0};  ///< number of vertices in nearest_
         std::vector<std::size_t> neighbours_;
