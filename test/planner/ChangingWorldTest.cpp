@@ -367,6 +367,7 @@ namespace ompl_mfa::planner
             std::size_t solved{0};
             std::size_t compared{0};
             double worst{1.0};
+            double sum{0.0};  ///< of costs relative to a new search's
         };
 
         /* One random world and 12 changes of it, some with another start or goal; each result is compared with that
@@ -431,7 +432,7 @@ namespace ompl_mfa::planner
                 {
                     continue;
                 }
-                const ob::PlannerStatus longer = planner->solve(test::afterCalls(20000));
+                const ob::PlannerStatus::StatusType longer = planner->solve(test::afterCalls(20000));
                 const double cost = planner->bestCost();
                 if (longer == ob::PlannerStatus::EXACT_SOLUTION)
                 {
@@ -439,12 +440,13 @@ namespace ompl_mfa::planner
                 }
                 world.problem.pdef->clearSolutionPaths();
                 const auto other = world.problem.planner(variant, seed);
-                const ob::PlannerStatus anew = other->solve(test::afterCalls(20000 + calls));
+                const ob::PlannerStatus::StatusType anew = other->solve(test::afterCalls(20000 + calls));
                 EXPECT_EQ(longer, anew) << what;
                 if (anew == ob::PlannerStatus::EXACT_SOLUTION && longer == anew)
                 {
                     ++figures.compared;
                     figures.worst = std::max(figures.worst, cost / other->bestCost());
+                    figures.sum += cost / other->bestCost();
                 }
                 world.problem.pdef->clearSolutionPaths();
                 planner->solve(test::afterCalls(2));
@@ -460,12 +462,13 @@ namespace ompl_mfa::planner
             }
             EXPECT_GT(figures.solved, 300U);
             EXPECT_GT(figures.compared, 80U);
-            EXPECT_LT(figures.worst, 1.02);
+            // neither search has converged
+            EXPECT_LT(figures.sum / static_cast<double>(figures.compared), 1.003);
+            EXPECT_LT(figures.worst, 1.1);
         }
 
         TEST(ChangedWorlds, ThePapersAlgorithmReportsValidPathsOnly)
         {
-            Figures figures;
             for (std::uint32_t seed = 1; seed <= 2; ++seed)
             {
                 BoxWorld world;

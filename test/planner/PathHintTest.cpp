@@ -260,18 +260,24 @@ namespace ompl_mfa::planner
 
         TEST(PathHints, InThePapersAlgorithmBecomeFirstFireflies)
         {
-            // the gap above the wall is narrow, and far off the axis
             const auto iterations = [](bool hinted)
             {
-                const auto problem = test::wallProblem(9.7);
-                const auto planner = problem->planner(test::PlannerVariant::Paper);
+                // a wall with a door that is narrow and off the axis
+                test::PlanningProblem problem(test::realVectorSpace(2, 0.0, 10.0),
+                                              [](const ob::State *s)
+                                              {
+                                                  const double y = test::coordinate(s, 1);
+                                                  return std::abs(test::coordinate(s, 0) - 5.0) > 0.5 ||
+                                                         (y > 7.0 && y < 7.1);
+                                              },
+                                              {1.0, 1.0}, {9.0, 1.0});
+                const auto planner = problem.planner(test::PlannerVariant::Paper);
                 if (hinted)
                 {
-                    planner->addPathHint(
-                        pathOf(problem->si, {{1, 1}, {2.33, 9.85}, {3.67, 9.85}, {6.33, 9.85}, {7.67, 9.85}, {9, 1}}));
+                    planner->addPathHint(pathOf(problem.si, {{1, 1}, {3, 7.05}, {7, 7.05}, {9, 1}}));
                 }
-                planner->solve(test::untilExact(problem->pdef));
-                EXPECT_TRUE(problem->path().check());
+                planner->solve(test::untilExact(problem.pdef));
+                EXPECT_TRUE(problem.path().check());
                 return planner->iterations();
             };
             EXPECT_EQ(iterations(true), 0U) << "valid in the first generation";
