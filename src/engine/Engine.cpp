@@ -105,7 +105,7 @@ namespace ompl_mfa::engine
       , bounds_(chart->bounds())
       , parts_(makeParts(context_, guest))
       , straightMotions_(context_, parts_.guided)
-      , hints_(context_, parts_.mender.get())
+      , hints_(context_, parts_.mender.get(), parts_.refiner != nullptr)
       , proof_(context_)
     {
         context_.evaluator().setPartialPathEvent(
@@ -139,18 +139,18 @@ namespace ompl_mfa::engine
         }
         if (earlier.incumbent.hasPath())
         {
-            hints_.add(earlier.incumbent.path());
-        }
-        for (std::size_t i = 0; i < predecessor.hints_.size(); ++i)
-        {
-            hints_.add(predecessor.hints_[i]);
+            hints_.add(earlier.incumbent.path(), PathHints::Source::BestPath);
         }
         for (std::size_t i = 0; i < earlier.pool.size(); ++i)
         {
             if (earlier.pool[i].cost != earlier.incumbent.cost())
             {
-                hints_.add(earlier.pool[i].path);
+                hints_.add(earlier.pool[i].path, PathHints::Source::Population);
             }
+        }
+        for (std::size_t i = 0; i < predecessor.hints_.size(); ++i)
+        {
+            hints_.add(predecessor.hints_.path(i), predecessor.hints_.source(i));
         }
         context_.firstFireflies = earlier.firstFireflies;
     }
@@ -165,7 +165,7 @@ namespace ompl_mfa::engine
         fireflies.push_back(path);
         if (parts_.mender)
         {
-            hints_.add(std::move(path));
+            hints_.add(std::move(path), PathHints::Source::User);
         }
     }
 

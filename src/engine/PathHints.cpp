@@ -54,21 +54,28 @@ namespace ompl_mfa::engine
         constexpr unsigned int COARSE = 10;
     }  // namespace
 
-    PathHints::PathHints(const SearchContext &context, PathMender *mender)
+    PathHints::PathHints(const SearchContext &context, PathMender *mender, bool drafts)
       : context_(context)
       , mender_(mender)
+      , drafts_(drafts)
       , scratch_(context.chart->space())
     {
         scratch_.resize(1);
     }
 
-    void PathHints::add(path::Waypoints path)
+    void PathHints::add(path::Waypoints path, Source source)
     {
         for (std::size_t i = 0; i < path.size(); ++i)
         {
             context_.chart->space()->enforceBounds(path[i]);
         }
-        hints_.push_back({std::move(path), 0});
+        const auto place =
+            std::find_if(hints_.begin(), hints_.end(), [source](const Hint &hint) { return hint.source > source; });
+        hints_.insert(place, {std::move(path), source, 0});
+        if (hints_.size() > CAPACITY)
+        {
+            hints_.pop_back();
+        }
     }
 
     void PathHints::advance(Findings &findings)
@@ -83,7 +90,7 @@ namespace ompl_mfa::engine
         path::Waypoints path = hints_.front().path;
         const unsigned int effort = hints_.front().effort;
         // what only has to be compared with the best path is made valid as a draft
-        const path::StrideScope scope(evaluator, context_.draftStride());
+        const path::StrideScope scope(evaluator, drafts_ ? context_.draftStride() : 1);
         if (mender_ != nullptr)
         {
             joinStart(path);

@@ -52,12 +52,24 @@ namespace ompl_mfa::engine
     class PathHints
     {
     public:
-        /** \brief Without \e mender (null) only paths that are valid as they are, ends included, are proposed. Both
-            arguments must outlive the object. */
-        PathHints(const SearchContext &context, PathMender *mender);
+        static constexpr std::size_t CAPACITY = 40;
 
-        /** \brief Adds a path of at least one state, finite but valid or not; it is brought within the bounds. */
-        void add(path::Waypoints path);
+        /** \brief In the order in which they are tried. */
+        enum class Source : unsigned char
+        {
+            BestPath,  ///< of an earlier search
+            User,
+            Population  ///< good paths of an earlier search
+        };
+
+        /** \brief Without \e mender (null) only paths that are valid as they are, ends included, are proposed. \e
+           drafts is whether a path that only has to be compared with the best one may be proposed as a draft. \e
+           context and \e mender must outlive the object. */
+        PathHints(const SearchContext &context, PathMender *mender, bool drafts);
+
+        /** \brief Adds a path of at least one state, finite but valid or not; it is brought within the bounds. If there
+            are more than CAPACITY, the last one is dropped. */
+        void add(path::Waypoints path, Source source);
 
         /** \brief Tries the next path, if it is time for it. Where the last one failed, the parts of the search first
             have as much work as that took. If interrupted, the path is tried again by the next call. */
@@ -68,16 +80,22 @@ namespace ompl_mfa::engine
             return hints_.size();
         }
 
-        /** \brief The paths that have not been proposed yet, nor given up. */
-        const path::Waypoints &operator[](std::size_t i) const
+        /** \brief The paths that have neither been proposed yet nor given up. */
+        const path::Waypoints &path(std::size_t i) const
         {
             return hints_[i].path;
+        }
+
+        Source source(std::size_t i) const
+        {
+            return hints_[i].source;
         }
 
     private:
         struct Hint
         {
             path::Waypoints path;
+            Source source;
             unsigned int effort;  ///< number of times that mending it has failed
         };
 
@@ -99,6 +117,7 @@ namespace ompl_mfa::engine
 
         const SearchContext &context_;
         PathMender *mender_;
+        bool drafts_;
         std::deque<Hint> hints_;
         std::uint64_t due_{0};  ///< work from which on the next path is tried
         path::Waypoints scratch_;

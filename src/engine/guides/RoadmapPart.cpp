@@ -68,6 +68,8 @@ namespace ompl_mfa::engine::guides
         /* Work and time (s) of the trees before the roadmap begins if there is no path yet. */
         constexpr std::uint64_t FIRST_TREES = 14000;
         constexpr double FIRST_TREES_TIME = 0.01;
+        /* The same for an inherited roadmap. A search of a large one takes as long as thousands of checks, too. */
+        constexpr std::uint64_t FIRST_TREES_AGAIN = 4000;
 
         constexpr double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
     }  // namespace
@@ -344,9 +346,13 @@ namespace ompl_mfa::engine::guides
         {
             return Readiness::Idle;
         }
+        if (!afterTrees_ || context().incumbent.hasFinitePath())
+        {
+            return Readiness::Ready;
+        }
         // if checks are cheap, their number says little about the time
-        const bool early = afterTrees_ && !context().incumbent.hasFinitePath() && !inherited_ &&
-                           (evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME);
+        const bool early = inherited_ ? evaluator_.work() < FIRST_TREES_AGAIN
+                                      : evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME;
         return early ? Readiness::Waiting : Readiness::Ready;
     }
 

@@ -159,56 +159,66 @@ namespace ompl_mfa::engine::refinement
        that is invalid although its states are not is a gap, too. */
     bool PathMending::findGap(const path::Waypoints &path, std::size_t &next, double margin)
     {
-        const unsigned int least = 1 + (RUN_END - 1) / evaluator_.stride();
+        const ob::State *state = scratch_[BETWEEN];
+        Walk walk{next, 0, evaluator_.checkedSegments(mended_.back(), path[next])};
         bool collided = false;
+        const unsigned int least = 1 + (RUN_END - 1) / evaluator_.stride();
         unsigned int run = 0;
         double valid = 0.0;
-        for (std::size_t i = next; i < path.size(); ++i)
+        for (; walk.vertex < path.size() && !evaluator_.stopped(); advance(path, walk))
         {
-            const ob::State *from = i == next ? mended_.back() : path[i - 1];
-            const unsigned int segments = evaluator_.checkedSegments(from, path[i]);
-            const double step = chart_->distance(from, path[i]) / segments;
-            for (unsigned int j = 1; j <= segments; ++j)
+            const ob::State *from = walk.vertex == next ? mended_.back() : path[walk.vertex - 1];
+            stateOn(from, path[walk.vertex], walk);
+            if (!evaluator_.checkState(state))
             {
-                if (evaluator_.stopped())
-                {
-                    return false;
-                }
-                ob::State *state = scratch_[BETWEEN];
-                chart_->interpolate(from, path[i], static_cast<double>(j) / segments, state);
-                chart_->space()->enforceBounds(state);
-                if (j == segments)
-                {
-                    chart_->space()->copyState(state, path[i]);
-                }
-                if (!evaluator_.checkState(state))
-                {
-                    collided = true;
-                    run = 0;
-                    valid = 0.0;
-                    continue;
-                }
-                if (!collided && j < segments)
-                {
-                    chart_->space()->copyState(scratch_[FROM], state);
-                    continue;
-                }
-                ++run;
-                valid += step;
-                const bool end = i + 1 == path.size() && j == segments;
-                if (!collided || end || (run >= least && valid >= margin))
-                {
-                    chart_->space()->copyState(scratch_[TO], state);
-                    next = j == segments ? i + 1 : i;
-                    if (!collided)
-                    {
-                        chart_->space()->copyState(scratch_[FROM], mended_.back());
-                    }
-                    return true;
-                }
+                collided = true;
+                run = 0;
+                valid = 0.0;
+                continue;
+            }
+            const bool atVertex = walk.number + 1 == walk.segments;
+            if (!collided && !atVertex)
+            {
+                chart_->space()->copyState(scratch_[FROM], state);
+                continue;
+            }
+            ++run;
+            valid += chart_->distance(from, path[walk.vertex]) / walk.segments;
+            if (!collided)
+            {
+                chart_->space()->copyState(scratch_[FROM], mended_.back());
+            }
+            if (!collided || (atVertex && walk.vertex + 1 == path.size()) || (run >= least && valid >= margin))
+            {
+                chart_->space()->copyState(scratch_[TO], state);
+                next = atVertex ? walk.vertex + 1 : walk.vertex;
+                return true;
             }
         }
         return false;
+    }
+
+    void PathMending::advance(const path::Waypoints &path, Walk &walk) const
+    {
+        if (++walk.number < walk.segments || ++walk.vertex == path.size())
+        {
+            return;
+        }
+        walk.number = 0;
+        walk.segments = evaluator_.checkedSegments(path[walk.vertex - 1], path[walk.vertex]);
+    }
+
+    /* Sets BETWEEN to the state of the walk on the motion to its vertex. */
+    void PathMending::stateOn(const ob::State *from, const ob::State *to, const Walk &walk)
+    {
+        const unsigned int number = walk.number + 1;
+        if (number == walk.segments)
+        {
+            chart_->space()->copyState(scratch_[BETWEEN], to);
+            return;
+        }
+        chart_->interpolate(from, to, static_cast<double>(number) / walk.segments, scratch_[BETWEEN]);
+        chart_->space()->enforceBounds(scratch_[BETWEEN]);
     }
 
     /* Shortens the valid path by about \e margin. */

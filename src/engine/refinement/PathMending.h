@@ -59,8 +59,18 @@ namespace ompl_mfa::engine::refinement
         bool mend(path::Waypoints &path, unsigned int effort) override;
 
     private:
+        /* A state on a path: \e number + 1 of \e segments steps along the motion to \e vertex. */
+        struct Walk
+        {
+            std::size_t vertex;
+            unsigned int number;
+            unsigned int segments;
+        };
+
         bool bridge(const path::Waypoints &path, std::size_t &next, unsigned int effort);
         bool findGap(const path::Waypoints &path, std::size_t &next, double margin);
+        void advance(const path::Waypoints &path, Walk &walk) const;
+        void stateOn(const ompl::base::State *from, const ompl::base::State *to, const Walk &walk);
         void retreat(double margin);
         void append(const ompl::base::State *state);
 
