@@ -75,6 +75,9 @@ namespace ompl_mfa::planner
         /* Points with 4.5 < x < 5.5 lie in a wall, if it is high enough. */
         const std::array<Point, 8> POINTS{{{1, 1}, {2, 2}, {1, 8}, {5, 1}, {9, 1}, {9, 9}, {3, 3}, {5, 5}}};
 
+        /* Of the wall: none, two with a gap above it, and one that closes the way. */
+        const std::array<double, 4> HEIGHTS{{-1.0, 3.0, 6.0, 11.0}};
+
         enum class Call
         {
             SetByText,
@@ -95,6 +98,8 @@ namespace ompl_mfa::planner
             ChangeWorld,
             Clear,
             ClearQuery,
+            ValidityChanged,
+            AddHint,
             Setup,
             GetPlannerData,
             Solve,
@@ -132,6 +137,8 @@ namespace ompl_mfa::planner
                                                                                                 "ChangeWorld",
                                                                                                 "Clear",
                                                                                                 "ClearQuery",
+                                                                                                "ValidityChanged",
+                                                                                                "AddHint",
                                                                                                 "Setup",
                                                                                                 "GetPlannerData",
                                                                                                 "Solve",
@@ -239,6 +246,7 @@ namespace ompl_mfa::planner
             void newGoal(unsigned int a, unsigned int b);
             void changeGoal(unsigned int a, unsigned int b);
             void addGoal(const Point &point);
+            void addHint(unsigned int a, unsigned int b);
             void newProblemDefinition(bool same, unsigned int a, unsigned int b);
             void change(const Command &command);
             void solve(unsigned int evaluations);
@@ -414,6 +422,17 @@ namespace ompl_mfa::planner
             goal_->as<ob::GoalStates>()->addState(state(point).get());
         }
 
+        /* A path through some of the points, which may be in the wall. */
+        void Model::addHint(unsigned int a, unsigned int b)
+        {
+            og::PathGeometric path(problem_.si);
+            for (unsigned int i = 0; i <= a % 5; ++i)
+            {
+                path.append(state(POINTS[(b + i * (1 + a / 5)) % POINTS.size()]).get());
+            }
+            planner_.addPathHint(path);
+        }
+
         void Model::changeGoal(unsigned int a, unsigned int b)
         {
             const Point &point = POINTS[b % POINTS.size()];
@@ -496,7 +515,7 @@ namespace ompl_mfa::planner
                     return;
                 case Call::ChangeWorld:
                     restarts();
-                    height_ = std::array<double, 4>{{-1.0, 3.0, 6.0, 11.0}}[command.a % 4];
+                    height_ = HEIGHTS[command.a % 4];
                     return planner_.clear();
                 case Call::Clear:
                     restarts();
@@ -504,6 +523,10 @@ namespace ompl_mfa::planner
                 case Call::ClearQuery:
                     restarts();
                     return planner_.clearQuery();
+                case Call::ValidityChanged:
+                    restarts();
+                    height_ = HEIGHTS[command.a % 4];
+                    return planner_.validityChanged();
                 default:
                     return changeGoal(command.a, command.b);
             }
@@ -552,6 +575,9 @@ namespace ompl_mfa::planner
                     {
                         objective->setCostThreshold(ob::Cost(command.a % 2 == 0 ? 0.0 : 14.0));
                     }
+                    break;
+                case Call::AddHint:
+                    addHint(command.a, command.b);
                     break;
                 case Call::Setup:
                     planner_.setup();
