@@ -232,6 +232,33 @@ namespace ompl_mfa::planner
             expectSolved();
         }
 
+        TEST(PathHints, ThroughAWallThatDraftsMayMissAreRepaired)
+        {
+            test::PlanningProblem problem(
+                test::realVectorSpace(2, 0.0, 10.0),
+                [](const ob::State *s)
+                { return std::abs(test::coordinate(s, 0) - 5.0) > 0.025 || test::coordinate(s, 1) > 9.0; },
+                {1.0, 1.0}, {9.0, 1.0});
+            problem.si->setStateValidityCheckingResolution(0.001);
+            problem.si->setup();
+            ompl::RNG rng(3);
+            const auto planner = problem.planner(test::PlannerVariant::Default);
+            for (int run = 0; run < 10; ++run)
+            {
+                planner->solve(test::afterCalls(3000));
+                ASSERT_LT(planner->bestCost(), NEVER);
+                for (int k = 0; k < 10; ++k)
+                {
+                    const double y = rng.uniformReal(0.0, 5.0);
+                    planner->addPathHint(pathOf(
+                        problem.si, {{1, 1}, {rng.uniformReal(2, 4.5), y}, {rng.uniformReal(5.5, 8), y}, {9, 1}}));
+                }
+            }
+            planner->solve(test::afterCalls(3000));
+            EXPECT_TRUE(problem.path().check());
+            EXPECT_GT(planner->bestCost(), 2.0 * std::hypot(4.0, 8.0) - 0.1);
+        }
+
         TEST(PathHints, OfAnotherSpaceInformationAreCopied)
         {
             const auto problem = maze();
