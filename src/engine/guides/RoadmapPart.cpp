@@ -82,8 +82,8 @@ namespace ompl_mfa::engine::guides
       , sampler_(chart_, evaluator_.bounds(), streamSeed(context.seed, Stream::Roadmap))
       , graph_(evaluator_)
       , measured_(std::make_shared<const graph::LazyGraph *>(&graph_))
-      , recycled_(chart_->space())
       , nearest_(ompl::tools::SelfConfig::getDefaultNearestNeighbors<std::size_t>(&context.owner))
+      , inherited_{path::Waypoints(chart_->space()), {}, false}
       , firstCapacity_(capacity)
       , pruned_(std::numeric_limits<double>::infinity())
       , sample_(chart_->space()->allocState())
@@ -105,7 +105,7 @@ namespace ompl_mfa::engine::guides
         promises_.clear();
         nearest_->clear();
         indexed_ = 0;
-        earlierEnds_.clear();
+        inherited_.ends.clear();
         starts_ = goals_ = endEdges_ = 0;
         batch_ = missing_ = FIRST_BATCH;
         exhausted_ = found_ = false;
@@ -147,10 +147,10 @@ namespace ompl_mfa::engine::guides
     std::size_t RoadmapPart::addEnd(const ob::State *state)
     {
         const auto known = std::find_if(
-            earlierEnds_.begin(), earlierEnds_.end(),
+            inherited_.ends.begin(), inherited_.ends.end(),
             [&](std::size_t vertex)
             { return !graph_.isEnd(vertex) && chart_->space()->equalStates(graph_.state(vertex), state); });
-        return known != earlierEnds_.end() ? *known : add(state, UNKNOWN);
+        return known != inherited_.ends.end() ? *known : add(state, UNKNOWN);
     }
 
     bool RoadmapPart::addEnds()
@@ -172,10 +172,10 @@ namespace ompl_mfa::engine::guides
     /* The states of an earlier roadmap come first, then new ones. */
     bool RoadmapPart::drawState(double bound, double &lowerBound)
     {
-        if (!recycled_.empty())
+        if (!inherited_.states.empty())
         {
-            chart_->space()->copyState(sample_, recycled_.back());
-            recycled_.resize(recycled_.size() - 1);
+            chart_->space()->copyState(sample_, inherited_.states.back());
+            inherited_.states.resize(inherited_.states.size() - 1);
             return true;
         }
         const Query &query = context().query;
@@ -288,7 +288,7 @@ namespace ompl_mfa::engine::guides
             }
         }
         promises_.resize(size);
-        earlierEnds_.clear();
+        inherited_.ends.clear();
         nearest_->clear();
         indexed_ = 0;
         return true;
@@ -351,8 +351,9 @@ namespace ompl_mfa::engine::guides
             return Readiness::Ready;
         }
         // if checks are cheap, their number says little about the time
-        const bool early = inherited_ ? evaluator_.work() < FIRST_TREES_AGAIN
-                                      : evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME;
+        const bool early = inherited_.any
+                               ? evaluator_.work() < FIRST_TREES_AGAIN
+                               : evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME;
         return early ? Readiness::Waiting : Readiness::Ready;
     }
 
@@ -392,21 +393,21 @@ namespace ompl_mfa::engine::guides
         {
             return;
         }
-        inherited_ = true;
+        inherited_.any = true;
         batch_ = std::max(FIRST_BATCH, earlier.batch_);
         renewals_ = earlier.renewals_;
         if (!heritage.costs)
         {
             for (std::size_t v = 0; v < earlier.graph_.size(); ++v)
             {
-                recycled_.append(earlier.graph_.state(v));
+                inherited_.states.append(earlier.graph_.state(v));
             }
-            missing_ = recycled_.size();
+            missing_ = inherited_.states.size();
             return;
         }
-        earlierEnds_ = earlier.graph_.starts();
+        inherited_.ends = earlier.graph_.starts();
         const std::vector<std::size_t> goals = earlier.graph_.goals();
-        earlierEnds_.insert(earlierEnds_.end(), goals.begin(), goals.end());
+        inherited_.ends.insert(inherited_.ends.end(), goals.begin(), goals.end());
         graph_.take(earlier.graph_);
         if (!heritage.validity)
         {

@@ -100,6 +100,14 @@ namespace ompl_mfa::engine::guides
             std::uint32_t goals;
         };
 
+        /* What is left to do with the roadmap of an earlier search. */
+        struct Inheritance
+        {
+            path::Waypoints states;         ///< to be added again, the last one first
+            std::vector<std::size_t> ends;  ///< vertices that were starts or goals
+            bool any{false};                ///< whether there was one
+        };
+
         bool addEnds();
         std::size_t addEnd(const ompl::base::State *state);
         bool drawState(double bound, double &lowerBound);
@@ -114,16 +122,14 @@ namespace ompl_mfa::engine::guides
         void renew();
 
         bool afterTrees_;
-        bool inherited_{false};  ///< whether the roadmap is that of an earlier search
         path::StateChartPtr chart_;
         path::PathEvaluator &evaluator_;
         InformedSampler sampler_;
         graph::LazyGraph graph_;
         std::shared_ptr<const graph::LazyGraph *> measured_;  ///< the graph whose states nearest_ measures
-        path::Waypoints recycled_;                            ///< states of an earlier roadmap, to be added again
-        std::vector<std::size_t> earlierEnds_;  ///< vertices that were starts or goals of an earlier query
-        std::vector<Promise> promises_;         ///< for each vertex
+        std::vector<Promise> promises_;                       ///< for each vertex
         std::shared_ptr<ompl::NearestNeighbors<std::size_t>> nearest_;
+        Inheritance inherited_;
         std::size_t indexed_{0};  ///< number of vertices in nearest_
         std::vector<std::size_t> neighbours_;
         std::size_t firstCapacity_;
