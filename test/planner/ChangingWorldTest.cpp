@@ -34,10 +34,9 @@
 
 /* Author: the ompl_mfa authors */
 
-/* A world that changes between two solves, and queries that change in the same world. */
+/* A world that changes between two solves. */
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -48,8 +47,8 @@
 
 #include <ompl/base/PlannerData.h>
 #include <ompl/base/objectives/StateCostIntegralObjective.h>
-#include <ompl/util/RandomNumbers.h>
 
+#include "planner/BoxWorld.h"
 #include "planner/PlanningProblem.h"
 
 namespace ob = ompl::base;
@@ -61,57 +60,7 @@ namespace ompl_mfa::planner
     {
         constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-        struct Box
-        {
-            double left, right, bottom, top;
-
-            bool contains(double x, double y) const
-            {
-                return x > left && x < right && y > bottom && y < top;
-            }
-        };
-
-        /* The square [0, 10]^2 with boxes that the tests add and remove. */
-        struct BoxWorld
-        {
-            std::vector<Box> boxes;
-            test::PlanningProblem problem{
-                test::realVectorSpace(2, 0.0, 10.0),
-                [this](const ob::State *s)
-                {
-                    return std::none_of(boxes.begin(), boxes.end(),
-                                        [s](const Box &box)
-                                        { return box.contains(test::coordinate(s, 0), test::coordinate(s, 1)); });
-                },
-                {1.0, 5.0},
-                {9.0, 5.0}};
-
-            og::PathGeometric &path() const
-            {
-                return problem.path();
-            }
-
-            /* Whether the reported solution is valid now, from the present start to the present goal, and of the
-               reported cost. */
-            void expectSolution(const MFA &planner, const std::string &what = "") const
-            {
-                ASSERT_TRUE(problem.pdef->hasExactSolution()) << what;
-                EXPECT_TRUE(path().check()) << what;
-                EXPECT_TRUE(problem.si->isValid(path().getState(0))) << what;
-                EXPECT_TRUE(problem.si->equalStates(path().getState(0), problem.pdef->getStartState(0))) << what;
-                EXPECT_TRUE(problem.pdef->getGoal()->isSatisfied(path().getState(path().getStateCount() - 1))) << what;
-                EXPECT_NEAR(path().length(), planner.bestCost(), 1e-9) << what;
-                EXPECT_EQ(problem.reportedCost(), planner.bestCost()) << what;
-            }
-
-            void moveStart(const std::vector<double> &to) const
-            {
-                problem.pdef->clearStartStates();
-                problem.pdef->addStartState(problem.state(to));
-            }
-        };
-
-        const Box BLOCK{4.5, 5.5, 2.0, 6.0};
+        const test::Box BLOCK{4.5, 5.5, 2.0, 6.0};
 
         class ChangingWorld : public ::testing::TestWithParam<test::PlannerVariant>
         {
@@ -133,7 +82,7 @@ namespace ompl_mfa::planner
                 return GetParam() == test::PlannerVariant::Paper;
             }
 
-            BoxWorld world_;
+            test::BoxWorld world_;
             std::shared_ptr<MFA> planner_ = world_.problem.planner(GetParam());
         };
 
@@ -281,10 +230,9 @@ namespace ompl_mfa::planner
             double anew = 0.0;
             for (std::uint32_t seed = 1; seed <= 10; ++seed)
             {
-                BoxWorld world;
+                test::BoxWorld world;
                 // corridors
-                world.boxes = {
-                    {2.0, 2.5, 1.0, 11.0}, {4.0, 4.5, -1.0, 9.0}, {6.0, 6.5, 1.0, 11.0}, {7.5, 8.0, -1.0, 9.0}};
+                world.boxes = test::corridors();
                 const auto planner = world.problem.planner(test::PlannerVariant::Default, seed);
                 // without a population there is only the best path
                 test::set(*planner, "fireflies", seed % 2 == 0 ? "1" : "0");
@@ -311,7 +259,7 @@ namespace ompl_mfa::planner
 
         TEST(ChangedWorlds, AnotherHomotopyClassIsUsedWhenItOpens)
         {
-            BoxWorld world;
+            test::BoxWorld world;
             world.boxes = {{4.5, 5.5, -1.0, 3.0}, {4.5, 5.5, 3.0, 9.0}, {4.5, 5.5, 2.9, 3.1}};
             const auto planner = world.problem.planner(test::PlannerVariant::Default);
             planner->solve(test::afterCalls(30000));
@@ -349,7 +297,7 @@ namespace ompl_mfa::planner
         {
             for (const bool roadmapOnly : {false, true})
             {
-                BoxWorld world;
+                test::BoxWorld world;
                 world.boxes = {{4.5, 5.5, 3.0, 8.0}};
                 double price = 1.0;
                 world.problem.pdef->setOptimizationObjective(std::make_shared<Exposure>(world.problem.si, price));
@@ -374,116 +322,11 @@ namespace ompl_mfa::planner
             }
         }
 
-        struct Figures
-        {
-            std::size_t solved{0};
-            std::size_t compared{0};
-            double worst{1.0};
-            double sum{0.0};  ///< of costs relative to a new search's
-        };
-
-        /* One random world and 12 changes of it, some with another start or goal; each result is compared with that
-           of a new planner. */
-        void changeAtRandom(std::uint32_t seed, test::PlannerVariant variant, Figures &figures)
-        {
-            ompl::RNG rng(seed);
-            BoxWorld world;
-            const auto addBox = [&]
-            {
-                const double x = rng.uniformReal(0.0, 10.0);
-                const double y = rng.uniformReal(0.0, 10.0);
-                world.boxes.push_back({x - rng.uniformReal(0.1, 1.0), x + 0.5, y - rng.uniformReal(0.1, 2.0),
-                                       y + rng.uniformReal(0.1, 2.0)});
-            };
-            for (int i = 0; i < 8; ++i)
-            {
-                addBox();
-            }
-            const auto planner = world.problem.planner(variant, seed);
-            planner->solve(test::afterCalls(3000));
-            for (int change = 0; change < 12; ++change)
-            {
-                const std::string what = "seed " + std::to_string(seed) + ", change " + std::to_string(change);
-                const int kind = rng.uniformInt(0, 4);
-                if (kind <= 2)
-                {
-                    addBox();
-                    world.boxes.erase(world.boxes.begin() +
-                                      rng.uniformInt(0, static_cast<int>(world.boxes.size()) - (kind == 0 ? 2 : 1)));
-                    planner->validityChanged();
-                }
-                else if (kind == 3 && world.problem.pdef->hasExactSolution())
-                {
-                    og::PathGeometric driven(world.path());
-                    driven.interpolate(20);
-                    ob::ScopedState<> start(world.problem.si->getStateSpace(), driven.getState(3));
-                    world.problem.pdef->clearStartStates();
-                    world.problem.pdef->addStartState(start);
-                    planner->clearQuery();
-                }
-                else
-                {
-                    world.problem.pdef->setGoalState(
-                        world.problem.state({rng.uniformReal(6.0, 10.0), rng.uniformReal(0.0, 10.0)}));
-                    planner->clearQuery();
-                }
-                world.problem.pdef->clearSolutionPaths();
-                const auto calls = static_cast<std::uint64_t>(rng.uniformInt(1, 6000));
-                const ob::PlannerStatus status = planner->solve(test::afterCalls(calls));
-                EXPECT_EQ(status == ob::PlannerStatus::EXACT_SOLUTION, planner->bestCost() < NEVER) << what;
-                if (status == ob::PlannerStatus::EXACT_SOLUTION)
-                {
-                    world.expectSolution(*planner, what);
-                    ++figures.solved;
-                }
-                else if (world.problem.pdef->hasSolution())
-                {
-                    EXPECT_TRUE(world.path().check()) << what;
-                }
-                if (change % 4 != 3)
-                {
-                    continue;
-                }
-                const ob::PlannerStatus::StatusType longer = planner->solve(test::afterCalls(20000));
-                const double cost = planner->bestCost();
-                if (longer == ob::PlannerStatus::EXACT_SOLUTION)
-                {
-                    world.expectSolution(*planner, what);
-                }
-                world.problem.pdef->clearSolutionPaths();
-                const auto other = world.problem.planner(variant, seed);
-                const ob::PlannerStatus::StatusType anew = other->solve(test::afterCalls(20000 + calls));
-                EXPECT_EQ(longer, anew) << what;
-                if (anew == ob::PlannerStatus::EXACT_SOLUTION && longer == anew)
-                {
-                    ++figures.compared;
-                    figures.worst = std::max(figures.worst, cost / other->bestCost());
-                    figures.sum += cost / other->bestCost();
-                }
-                world.problem.pdef->clearSolutionPaths();
-                planner->solve(test::afterCalls(2));
-            }
-        }
-
-        TEST(ChangedWorlds, ResultsAreThoseOfANewSearch)
-        {
-            Figures figures;
-            for (std::uint32_t seed = 1; seed <= 40; ++seed)
-            {
-                changeAtRandom(seed, test::PlannerVariant::Default, figures);
-            }
-            EXPECT_GT(figures.solved, 300U);
-            EXPECT_GT(figures.compared, 80U);
-            // neither search has converged
-            EXPECT_LT(figures.sum / static_cast<double>(figures.compared), 1.003);
-            EXPECT_LT(figures.worst, 1.1);
-        }
-
         TEST(ChangedWorlds, ThePapersAlgorithmReportsValidPathsOnly)
         {
             for (std::uint32_t seed = 1; seed <= 2; ++seed)
             {
-                BoxWorld world;
+                test::BoxWorld world;
                 world.boxes = {BLOCK};
                 const auto planner = world.problem.planner(test::PlannerVariant::Paper, seed);
                 for (int change = 0; change < 6; ++change)
@@ -497,83 +340,5 @@ namespace ompl_mfa::planner
             }
         }
 
-        TEST(OtherQueries, AStartThatMovesAlongThePathKeepsTheRestOfIt)
-        {
-            BoxWorld world;
-            world.boxes = {{2.0, 2.5, 1.0, 11.0}, {4.0, 4.5, -1.0, 9.0}, {6.0, 6.5, 1.0, 11.0}, {7.5, 8.0, -1.0, 9.0}};
-            const auto planner = world.problem.planner(test::PlannerVariant::Default);
-            planner->solve(test::afterCalls(30000));
-            double cost = planner->bestCost();
-            for (int step = 0; step < 8; ++step)
-            {
-                og::PathGeometric driven(world.path());
-                driven.interpolate(static_cast<unsigned int>(driven.length() / 0.1));
-                const double gone = driven.length() / (driven.getStateCount() - 1.0) * 10.0;
-                ob::ScopedState<> start(world.problem.si->getStateSpace(), driven.getState(10));
-                world.problem.pdef->clearStartStates();
-                world.problem.pdef->addStartState(start);
-                world.problem.pdef->clearSolutionPaths();
-                planner->clearQuery();
-                EXPECT_EQ(planner->bestCost(), NEVER);
-                world.problem.counted.forget();
-                planner->solve(test::untilExact(world.problem.pdef));
-                world.expectSolution(*planner, "step " + std::to_string(step));
-                EXPECT_LT(planner->bestCost(), cost - gone + 0.02) << step;
-                EXPECT_LT(world.problem.counted.states, 6000U) << step;
-                cost = planner->bestCost();
-            }
-        }
-
-        TEST(OtherQueries, AnotherGoalUsesTheRoadmap)
-        {
-            double kept = 0.0;
-            double anew = 0.0;
-            for (std::uint32_t seed = 1; seed <= 10; ++seed)
-            {
-                BoxWorld world;
-                world.boxes = {
-                    {2.0, 2.5, 1.0, 11.0}, {4.0, 4.5, -1.0, 9.0}, {6.0, 6.5, 1.0, 11.0}, {7.5, 8.0, -1.0, 9.0}};
-                const auto planner = world.problem.planner(test::PlannerVariant::Default, seed);
-                planner->solve(test::afterCalls(30000));
-                world.problem.pdef->clearSolutionPaths();
-                world.problem.pdef->setGoalState(world.problem.state({7.0, 9.5}));
-                planner->clearQuery();
-                world.problem.counted.forget();
-                planner->solve(test::untilExact(world.problem.pdef));
-                world.expectSolution(*planner);
-                kept += static_cast<double>(world.problem.counted.states);
-                world.problem.pdef->clearSolutionPaths();
-                const auto other = world.problem.planner(test::PlannerVariant::Default, seed);
-                world.problem.counted.forget();
-                other->solve(test::untilExact(world.problem.pdef));
-                anew += static_cast<double>(world.problem.counted.states);
-            }
-            EXPECT_LT(kept, 0.4 * anew);
-            RecordProperty("checks_kept", std::to_string(kept / 10));
-            RecordProperty("checks_anew", std::to_string(anew / 10));
-        }
-
-        TEST(OtherQueries, SeededRunsRepeat)
-        {
-            std::vector<double> costs;
-            for (int run = 0; run < 2; ++run)
-            {
-                BoxWorld world;
-                world.boxes = {BLOCK, {7.0, 8.0, 4.0, 9.0}};
-                const auto planner = world.problem.planner(test::PlannerVariant::Default);
-                for (int k = 0; k < 4; ++k)
-                {
-                    planner->solve(test::afterCalls(3000));
-                    costs.push_back(planner->bestCost());
-                    world.problem.pdef->setGoalState(world.problem.state({9.0, 2.0 * k}));
-                    world.boxes[0].top = 7.0 + 0.1 * k;
-                    planner->validityChanged();
-                }
-            }
-            for (std::size_t k = 0; k < 4; ++k)
-            {
-                EXPECT_EQ(costs[k], costs[k + 4]) << k;
-            }
-        }
     }  // namespace
 }  // namespace ompl_mfa::planner
