@@ -184,6 +184,33 @@ namespace ompl_mfa::cli
                     " to " + number(world.max_[2])};
         }
 
+        nlohmann::json describeMap(const ProblemFactory &factory)
+        {
+            if (factory.map() == nullptr)
+            {
+                return {};
+            }
+            const maps::GridMap &map = factory.map()->map();
+            const auto count = [&map](maps::Cell cell)
+            { return std::count(map.cells().begin(), map.cells().end(), cell); };
+            return {{"width", map.width()},
+                    {"height", map.height()},
+                    {"resolution", map.frame().resolution},
+                    {"free_cells", count(maps::Cell::Free)},
+                    {"occupied_cells", count(maps::Cell::Occupied)},
+                    {"unknown_cells", count(maps::Cell::Unknown)}};
+        }
+
+        nlohmann::json worldBox(const ProblemFactory &factory)
+        {
+            if (factory.map() != nullptr)
+            {
+                const Eigen::AlignedBox2d box = factory.map()->map().bounds();
+                return {{"min", {box.min().x(), box.min().y(), 0.0}}, {"max", {box.max().x(), box.max().y(), 0.0}}};
+            }
+            return factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds());
+        }
+
         nlohmann::json describe(const ProblemFactory &factory, const ompl::geometric::SimpleSetup &setup)
         {
             const BenchmarkConfig &config = factory.config();
@@ -198,8 +225,9 @@ namespace ompl_mfa::cli
                     {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
                     {"obstacles", factory.world().objects().size()},
                     {"robot", config.problem.robot.value},
-                    {"world_box",
-                     factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds())},
+                    {"world_box", worldBox(factory)},
+                    {"map", describeMap(factory)},
+                    {"problems", std::max<std::size_t>(1, factory.problems().size())},
                     {"robot_radius", factory.robot().radius()},
                     {"robot_box", describeBox(factory.robot().bounds())},
                     {"world_skipped_faces", factory.world().skippedFaces()},
@@ -228,6 +256,18 @@ namespace ompl_mfa::cli
             return faces == 0 ? "" : ", " + std::to_string(faces.get<std::size_t>()) + " points and lines passed over";
         }
 
+        std::string obstaclesText(const nlohmann::json &description)
+        {
+            const nlohmann::json &map = description["map"];
+            if (map.is_null())
+            {
+                return std::to_string(description["obstacles"].get<std::size_t>()) + " obstacles";
+            }
+            const auto number = [&map](const char *key) { return text::numberText(map[key].get<double>()); };
+            return number("width") + " x " + number("height") + " cells of " + number("resolution") + ", " +
+                   number("occupied_cells") + " occupied, " + number("unknown_cells") + " unknown";
+        }
+
         void printText(const nlohmann::json &description)
         {
             const auto &motion = description["straight_motion"];
@@ -237,15 +277,16 @@ namespace ompl_mfa::cli
                       << "space      " << description["space"].get<std::string>() << "\n"
                       << "world      "
                       << (description["world"].is_null() ? "empty" : oneLine(description["world"].get<std::string>()))
-                      << ", " << description["obstacles"] << " obstacles"
-                      << skippedText(description["world_skipped_faces"]) << "\n"
+                      << ", " << obstaclesText(description) << skippedText(description["world_skipped_faces"]) << "\n"
                       << "world box  " << boxText(description["world_box"]) << "\n"
                       << "robot      " << oneLine(description["robot"].get<std::string>()) << ", radius "
                       << description["robot_radius"].get<double>() << skippedText(description["robot_skipped_faces"])
                       << "\n"
                       << "robot box  " << boxText(description["robot_box"]) << "\n"
-                      << "start      valid\n"
-                      << "goal       valid\n"
+                      << (description["problems"] == 1
+                              ? std::string("start      valid\ngoal       valid\n")
+                              : "problems   " + std::to_string(description["problems"].get<std::size_t>()) +
+                                    ", start and goal of each valid\n")
                       << "straight   ";
             if (motion["free"].get<bool>())
             {
@@ -265,8 +306,14 @@ namespace ompl_mfa::cli
 
         void check(const Options &options)
         {
-            const ProblemFactory factory(benchmark::readBenchmarkConfig(options.file));
+            ProblemFactory factory(benchmark::readBenchmarkConfig(options.file));
             benchmark::setRandomSeed(factory.config().benchmark.seed);
+            // the last one first, so that the first one remains selected
+            for (std::size_t number = factory.problems().size(); number-- > 0;)
+            {
+                factory.select(number);
+                factory.create();
+            }
             const auto setup = factory.create();
             checkPlanners(factory);
             const nlohmann::json description = describe(factory, *setup);

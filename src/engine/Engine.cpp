@@ -107,6 +107,7 @@ namespace ompl_mfa::engine
       , straightMotions_(context_, parts_.guided)
       , hints_(context_, parts_.mender.get(), parts_.refiner != nullptr)
       , proof_(context_)
+      , answer_(makeAnswerMaker(context_))
     {
         context_.evaluator().setPartialPathEvent(
             [this](const path::Waypoints &path, std::size_t motion, const ob::State *lastValid)
@@ -195,14 +196,20 @@ namespace ompl_mfa::engine
         }
         path::PathEvaluator &evaluator = context_.evaluator();
         const StopConditionScope stopCondition(evaluator, ptc);
-        const bool holds = evaluator.stopped() || (evaluator.checkState(path.front()) && evaluator.checkPath(path)) ||
-                           evaluator.interrupted();
-        if (!holds)
+        const bool valid =
+            evaluator.stopped() || (holds(path) && holds(context_.answer.path())) || evaluator.interrupted();
+        if (!valid)
         {
             OMPL_INFORM("%s: The path of an earlier solve() is not valid any more; the search restarts",
                         context_.owner.getName().c_str());
         }
-        return holds;
+        return valid;
+    }
+
+    bool Engine::holds(const path::Waypoints &path)
+    {
+        path::PathEvaluator &evaluator = context_.evaluator();
+        return path.empty() || (evaluator.checkState(path.front()) && evaluator.checkPath(path));
     }
 
     ob::PlannerStatus::StatusType Engine::search(ob::PlannerInputStates &inputs,
@@ -221,6 +228,7 @@ namespace ompl_mfa::engine
         {
             iterate(inputs, ptc);
         }
+        answer_->giveUp();
         return status;
     }
 
@@ -234,7 +242,37 @@ namespace ompl_mfa::engine
         {
             return false;
         }
-        return context_.objective().isSatisfied(ob::Cost(context_.incumbent.cost())) || proof_.holds();
+        const bool satisfied = meetsThreshold(context_.incumbent);
+        if (!satisfied && !proof_.holds())
+        {
+            return false;
+        }
+        // only a path that is returned ends the search
+        answer_->update(true);
+        mayPublish_();
+        if (meetsThreshold(context_.answer))
+        {
+            return true;
+        }
+        // nothing is better than the incumbent, so the search cannot improve the answer either
+        return !satisfied || proof_.holds();
+    }
+
+    bool Engine::meetsThreshold(const Incumbent &path) const
+    {
+        return path.hasPath() && context_.objective().isSatisfied(ob::Cost(path.cost()));
+    }
+
+    void Engine::updateAnswer()
+    {
+        answer_->update(meetsThreshold(context_.incumbent));
+        mayPublish_();
+        const Incumbent &answer = context_.answer;
+        if (answer.hasPath() && context_.incumbent.improvedBy(answer.cost()))
+        {
+            // tightened at the finer resolution
+            offer({answer.path(), ob::Cost(answer.cost()), Proposal::Stage::Raw, answer.origin(), false});
+        }
     }
 
     void Engine::iterate(ob::PlannerInputStates &inputs, const ob::PlannerTerminationCondition &ptc)
@@ -252,6 +290,8 @@ namespace ompl_mfa::engine
         const auto next = sharing_.next(readiness);
         if (!next)
         {
+            answer_->giveUp();
+            mayPublish_();
             std::this_thread::sleep_for(IDLE);  // until starts or goals arrive
         }
         if (!next || finished(ptc))
@@ -259,7 +299,7 @@ namespace ompl_mfa::engine
             return;
         }
         takeTurn(*next);
-        mayPublish_();
+        updateAnswer();
     }
 
     void Engine::tryStraightMotions()
@@ -343,7 +383,7 @@ namespace ompl_mfa::engine
         {
             offer(proposal);
         }
-        if (context_.objective().isSatisfied(ob::Cost(incumbent.cost())))
+        if (meetsThreshold(context_.answer))
         {
             return;
         }
@@ -356,6 +396,7 @@ namespace ompl_mfa::engine
         {
             offer(proposal);
         }
+        updateAnswer();
         context_.pool.add(proposal.path, proposal.cost->value(), !proposal.draft, incumbent.cost());
     }
 
@@ -383,7 +424,11 @@ namespace ompl_mfa::engine
             credit(proposal.origin,
                    std::min(1.0, std::abs(before - incumbent.cost()) / std::max(std::abs(before), 1e-12)));
         }
-        mayPublish_();
+        // a path that is to be tightened is published as it is only if it is the first
+        if (first || meetsThreshold(incumbent) || !answer_->isActive())
+        {
+            updateAnswer();
+        }
         return true;
     }
 
@@ -436,6 +481,10 @@ namespace ompl_mfa::engine
         if (context_.incumbent.hasPath())
         {
             graph.addPath(context_.incumbent.path());
+        }
+        if (context_.answer.hasPath())
+        {
+            graph.addPath(context_.answer.path());
         }
     }
 }  // namespace ompl_mfa::engine

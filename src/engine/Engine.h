@@ -45,6 +45,7 @@
 
 #include <ompl/base/Planner.h>
 
+#include "engine/AnswerMaker.h"
 #include "engine/OptimalityProof.h"
 #include "engine/PartRegistry.h"
 #include "engine/PathHints.h"
@@ -82,9 +83,10 @@ namespace ompl_mfa::engine
            best path is checked again, unless the stop condition leaves no time for it. */
         bool canContinue(const ompl::base::ProblemDefinition &pdef, const ompl::base::PlannerTerminationCondition &ptc);
 
-        /** \brief Searches until \e ptc is true or no better path can be found. Returns EXACT_SOLUTION if a search took
+        /** \brief Searches until \e ptc is true or no better path can be found. The result is the context's answer.
+            Returns EXACT_SOLUTION if a search took
             place, whether or not it found a path, else the status that explains why it did not. Calls \e mayPublish at
-            the beginning, after each improvement of the best path, and after each turn. */
+            the beginning, after each improvement of the answer, and after each turn. */
         ompl::base::PlannerStatus::StatusType search(ompl::base::PlannerInputStates &inputs,
                                                      const ompl::base::PlannerTerminationCondition &ptc,
                                                      const std::function<void()> &mayPublish);
@@ -113,9 +115,12 @@ namespace ompl_mfa::engine
         void consider(Findings &findings);
         void consider(Proposal proposal);
         bool offer(const Proposal &proposal);
+        bool meetsThreshold(const Incumbent &path) const;
+        void updateAnswer();
         void credit(std::optional<PartKind> origin, double gain);
         void updatePhase();
         bool pathHolds(const ompl::base::PlannerTerminationCondition &ptc);
+        bool holds(const path::Waypoints &path);
         void offerPartial(const path::Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
 
         SearchContext context_;
@@ -125,6 +130,7 @@ namespace ompl_mfa::engine
         StraightMotions straightMotions_;
         PathHints hints_;
         OptimalityProof proof_;
+        std::unique_ptr<AnswerMaker> answer_;
         std::vector<Proposal> pending_;  ///< proposals whose cost is not computed yet
         std::vector<double> gains_;      ///< gain of each part in this turn
         std::size_t turn_{0};            ///< index of the part whose turn it is

@@ -47,6 +47,7 @@
 #include "engine/guides/RoadmapPart.h"
 #include "engine/guides/TreePart.h"
 #include "engine/refinement/PathMending.h"
+#include "engine/refinement/StrictAnswer.h"
 #include "engine/refinement/TighteningPart.h"
 
 namespace ompl_mfa::engine
@@ -142,5 +143,10 @@ namespace ompl_mfa::engine
             list.parts.push_back(std::make_unique<fireflies::GoalSearchPart>(context));
         }
         return list;
+    }
+
+    std::unique_ptr<AnswerMaker> makeAnswerMaker(SearchContext &context)
+    {
+        return std::make_unique<refinement::StrictAnswer>(context);
     }
 }  // namespace ompl_mfa::engine

@@ -39,6 +39,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <ompl/geometric/SimpleSetup.h>
 
@@ -46,10 +47,14 @@
 #include "ompl_mfa/benchmark/ConfigFile.h"
 #include "ompl_mfa/collision/RigidBody.h"
 #include "ompl_mfa/collision/Scene.h"
+#include "ompl_mfa/maps/Footprint.h"
+#include "ompl_mfa/maps/ObstacleGrid.h"
+#include "ompl_mfa/maps/Scenario.h"
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief Makes the problems of one config. World and robot are loaded once and shared by all of them. */
+    /** \brief Makes the problems of one config. World and robot are loaded once and shared by all of them and by copies
+        of the factory. */
     class OMPL_MFA_EXPORT ProblemFactory
     {
     public:
@@ -62,16 +67,39 @@ namespace ompl_mfa::benchmark
             return config_;
         }
 
-        /** \brief Empty if the config names no world. */
+        /** \brief Empty if the config names no world, or a map. */
         const collision::Scene &world() const
         {
             return *world_;
         }
 
+        /** \brief On a map, a ball that holds the footprint. */
         const collision::RigidBody &robot() const
         {
             return robot_;
         }
+
+        /** \brief Null if the world is not a map. */
+        const maps::ObstacleGrid *map() const
+        {
+            return map_.get();
+        }
+
+        /** \brief The robot on a map; a point in other worlds. */
+        const maps::Footprint &footprint() const
+        {
+            return footprint_;
+        }
+
+        /** \brief The problems that a scenario gives; empty without a scenario. */
+        const std::vector<maps::ScenarioProblem> &problems() const
+        {
+            return problems_;
+        }
+
+        /** \brief Makes problem \e number < problems().size() the one that create() makes: start and goal of config()
+            become its own. Initially it is the first. */
+        void select(std::size_t number);
 
         /** \brief A new problem, set up except for its planner. \e plannerContext overrides the context of the config
             for this problem only.
@@ -85,7 +113,13 @@ namespace ompl_mfa::benchmark
         ompl::geometric::SimpleSetupPtr create(const PlannerSpec &spec) const;
 
     private:
+        void setChecking(const ompl::base::SpaceInformationPtr &si) const;
+        ompl::base::RealVectorBounds bounds() const;
+
         BenchmarkConfig config_;
+        std::shared_ptr<const maps::ObstacleGrid> map_;
+        maps::Footprint footprint_;
+        std::vector<maps::ScenarioProblem> problems_;
         std::shared_ptr<const collision::Scene> world_;
         collision::RigidBody robot_;
     };

@@ -150,6 +150,8 @@ namespace ompl_mfa
         double getStateCheckTime() const;
         void setThreads(unsigned int threads);
         unsigned int getThreads() const;
+        void setStrictness(unsigned int strictness);
+        unsigned int getStrictness() const;
         /** @} */
 
         /** \brief Adds another planner as a guide, which takes turns with the other parts and with the guides that the
@@ -165,7 +167,8 @@ namespace ompl_mfa
             ends of its range. */
         std::vector<ompl::geometric::PathGeometric> getSlicePaths() const;
 
-        /** \brief Cost of the best path so far; infinity before the first. Safe to call while solve() runs. */
+        /** \brief Cost of the path that solve() would return now: the best one that holds at \e strictness times the
+            resolution. Infinity before the first. Safe to call while solve() runs. */
         double bestCost() const;
 
         /** \brief Firefly generations so far. Safe to call while solve() runs. */

@@ -199,10 +199,9 @@ namespace ompl_mfa::engine::fireflies
             const PathPool &pool = context_.pool;
             std::vector<std::size_t> order(pool.size());
             std::iota(order.begin(), order.end(), 0);
-            std::stable_sort(
-                order.begin(), order.end(),
-                [&](std::size_t a, std::size_t b)
-                { return context_.objective().isCostBetterThan(ob::Cost(pool[a].cost), ob::Cost(pool[b].cost)); });
+            std::stable_sort(order.begin(), order.end(),
+                             [&](std::size_t a, std::size_t b)
+                             { return context_.evaluator().isBetter(pool[a].cost, pool[b].cost); });
             for (const std::size_t i : order)
             {
                 paths.push_back(pool[i].path);
