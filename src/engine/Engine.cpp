@@ -142,6 +142,10 @@ namespace ompl_mfa::engine
         {
             hints_.add(earlier.incumbent.path(), PathHints::Source::BestPath);
         }
+        if (earlier.answer.hasPath() && !earlier.answer.path().equals(earlier.incumbent.path()))
+        {
+            hints_.add(earlier.answer.path(), PathHints::Source::BestPath);
+        }
         for (std::size_t i = 0; i < earlier.pool.size(); ++i)
         {
             if (earlier.pool[i].cost != earlier.incumbent.cost())
@@ -196,8 +200,9 @@ namespace ompl_mfa::engine
         }
         path::PathEvaluator &evaluator = context_.evaluator();
         const StopConditionScope stopCondition(evaluator, ptc);
+        const path::Waypoints &answer = context_.answer.path();
         const bool valid =
-            evaluator.stopped() || (holds(path) && holds(context_.answer.path())) || evaluator.interrupted();
+            evaluator.stopped() || (holds(path) && (answer.equals(path) || holds(answer))) || evaluator.interrupted();
         if (!valid)
         {
             OMPL_INFORM("%s: The path of an earlier solve() is not valid any more; the search restarts",
