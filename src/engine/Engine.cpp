@@ -58,6 +58,9 @@ namespace ompl_mfa::engine
         constexpr std::uint64_t SHORTEST_TURN = 400;
         constexpr std::uint64_t LONGEST_TURN = 8000;
 
+        /* Paths that are kept for swarms which have not begun; the last ones. */
+        constexpr std::size_t MAX_FIRST_FIREFLIES = 20;
+
         /* Pause when no part is ready. */
         constexpr std::chrono::milliseconds IDLE(1);
 
@@ -102,6 +105,7 @@ namespace ompl_mfa::engine
       , bounds_(chart->bounds())
       , parts_(makeParts(context_, guest))
       , straightMotions_(context_, parts_.guided)
+      , hints_(context_, parts_.mender.get(), parts_.refiner != nullptr)
       , proof_(context_)
       , answer_(makeAnswerMaker(context_))
     {
@@ -115,6 +119,60 @@ namespace ompl_mfa::engine
     }
 
     Engine::~Engine() = default;
+
+    void Engine::inherit(Engine &predecessor, bool sameValidity)
+    {
+        SearchContext &earlier = predecessor.context_;
+        // costs other than length may depend on the world, like validity
+        const bool sameCosts =
+            context_.query.hasObjectiveOf(earlier.query) && (sameValidity || context_.evaluator().bounds().certain());
+        const Heritage heritage{context_.chart->space() == earlier.chart->space() && bounds_ == predecessor.bounds_,
+                                sameValidity, sameCosts};
+        for (const auto &part : parts_.parts)
+        {
+            for (const auto &other : predecessor.parts_.parts)
+            {
+                if (part->kind() == other->kind())
+                {
+                    part->inherit(*other, heritage);
+                }
+            }
+        }
+        if (earlier.incumbent.hasPath())
+        {
+            hints_.add(earlier.incumbent.path(), PathHints::Source::BestPath);
+        }
+        if (earlier.answer.hasPath() && !earlier.answer.path().equals(earlier.incumbent.path()))
+        {
+            hints_.add(earlier.answer.path(), PathHints::Source::BestPath);
+        }
+        for (std::size_t i = 0; i < earlier.pool.size(); ++i)
+        {
+            if (earlier.pool[i].cost != earlier.incumbent.cost())
+            {
+                hints_.add(earlier.pool[i].path, PathHints::Source::Population);
+            }
+        }
+        for (std::size_t i = 0; i < predecessor.hints_.size(); ++i)
+        {
+            hints_.add(predecessor.hints_.path(i), predecessor.hints_.source(i));
+        }
+        context_.firstFireflies = earlier.firstFireflies;
+    }
+
+    void Engine::addHint(path::Waypoints path)
+    {
+        std::vector<path::Waypoints> &fireflies = context_.firstFireflies;
+        if (fireflies.size() >= MAX_FIRST_FIREFLIES)
+        {
+            fireflies.erase(fireflies.begin());
+        }
+        fireflies.push_back(path);
+        if (parts_.mender)
+        {
+            hints_.add(std::move(path), PathHints::Source::User);
+        }
+    }
 
     bool Engine::canContinue(const ob::ProblemDefinition &pdef, const ob::PlannerTerminationCondition &ptc)
     {
@@ -142,8 +200,9 @@ namespace ompl_mfa::engine
         }
         path::PathEvaluator &evaluator = context_.evaluator();
         const StopConditionScope stopCondition(evaluator, ptc);
+        const path::Waypoints &answer = context_.answer.path();
         const bool valid =
-            evaluator.stopped() || (holds(path) && holds(context_.answer.path())) || evaluator.interrupted();
+            evaluator.stopped() || (holds(path) && (answer.equals(path) || holds(answer))) || evaluator.interrupted();
         if (!valid)
         {
             OMPL_INFORM("%s: The path of an earlier solve() is not valid any more; the search restarts",
@@ -226,6 +285,7 @@ namespace ompl_mfa::engine
         context_.query.poll(inputs);
         tryStraightMotions();
         considerPending();
+        tryHints();
         updatePhase();
         std::vector<Readiness> readiness;
         for (const auto &part : parts_.parts)
@@ -256,6 +316,13 @@ namespace ompl_mfa::engine
             found = !findings.paths.empty();
             consider(findings);
         }
+    }
+
+    void Engine::tryHints()
+    {
+        Findings findings(context_.chart->space());
+        hints_.advance(findings);
+        consider(findings);
     }
 
     void Engine::considerPending()

@@ -48,6 +48,7 @@
 #include "engine/AnswerMaker.h"
 #include "engine/OptimalityProof.h"
 #include "engine/PartRegistry.h"
+#include "engine/PathHints.h"
 #include "engine/SearchContext.h"
 #include "engine/SearchPart.h"
 #include "engine/StraightMotions.h"
@@ -67,6 +68,15 @@ namespace ompl_mfa::engine
         ~Engine();
         Engine(const Engine &) = delete;
         Engine &operator=(const Engine &) = delete;
+
+        /** \brief Takes what is of use in this search from \e predecessor, an earlier search for any query: roadmap,
+           good paths as hints, and fireflies. \e sameValidity is whether states and motions that it found valid or
+           invalid still are. To be called before search(); the predecessor is not used again. */
+        void inherit(Engine &predecessor, bool sameValidity);
+
+        /** \brief Adds a path of any states, at least one, which may help: it is joined to start and goal and made
+           valid if necessary. In the paper's algorithm it becomes a firefly of the next swarm that is made. */
+        void addHint(path::Waypoints path);
 
         /** \brief Whether this search can be continued for \e pdef: the query and the bounds of the space are the same,
            and the results so far are still valid. Goals and the validity checker's answers may have changed, so the
@@ -99,6 +109,7 @@ namespace ompl_mfa::engine
         bool finished(const ompl::base::PlannerTerminationCondition &ptc);
         void iterate(ompl::base::PlannerInputStates &inputs, const ompl::base::PlannerTerminationCondition &ptc);
         void tryStraightMotions();
+        void tryHints();
         void considerPending();
         void takeTurn(std::size_t number);
         void consider(Findings &findings);
@@ -117,6 +128,7 @@ namespace ompl_mfa::engine
         PartList parts_;
         TurnSharing sharing_;
         StraightMotions straightMotions_;
+        PathHints hints_;
         OptimalityProof proof_;
         std::unique_ptr<AnswerMaker> answer_;
         std::vector<Proposal> pending_;  ///< proposals whose cost is not computed yet

@@ -46,6 +46,7 @@
 #include "engine/guides/GuestPlannerPart.h"
 #include "engine/guides/RoadmapPart.h"
 #include "engine/guides/TreePart.h"
+#include "engine/refinement/PathMending.h"
 #include "engine/refinement/StrictAnswer.h"
 #include "engine/refinement/TighteningPart.h"
 
@@ -112,6 +113,8 @@ namespace ompl_mfa::engine
                 throw ompl::Exception(context.owner.getName(),
                                       "nothing searches for paths: fireflies = 0, guide = none and no guide planner");
             }
+            list.mender = std::make_unique<refinement::PathMending>(context.chart, context.evaluator(),
+                                                                    streamSeed(context.seed, Stream::Mending));
             if (settings.fireflies)
             {
                 addSwarms(context, list);

@@ -58,6 +58,7 @@ namespace ompl_mfa::engine
         std::vector<std::unique_ptr<SearchPart>> parts;
         PathRefiner *refiner{nullptr};              ///< element of parts that tightens paths, or null
         std::shared_ptr<fireflies::Swarms> swarms;  ///< shared by the parts that use fireflies; may be null
+        std::unique_ptr<PathMender> mender;         ///< null in the paper's algorithm
         bool guided{false};                         ///< whether a part other than the fireflies can find a first path
     };
 

@@ -40,6 +40,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <ompl/base/Planner.h>
 
@@ -103,6 +104,7 @@ namespace ompl_mfa::engine
         Incumbent incumbent;
         Incumbent answer;  ///< the path to return: the best one that holds at a finer resolution, see StrictAnswer
         PathPool pool;
+        std::vector<path::Waypoints> firstFireflies;  ///< hints, valid or not, for swarms not begun yet
     };
 }  // namespace ompl_mfa::engine
 

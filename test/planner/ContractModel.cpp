@@ -54,6 +54,7 @@
 
 #include <ompl/base/goals/GoalLazySamples.h>
 #include <ompl/base/goals/GoalStates.h>
+#include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Exception.h>
 
@@ -69,6 +70,9 @@ namespace ompl_mfa::planner
     {
         /* Points with 4.5 < x < 5.5 lie in a wall, if it is high enough. */
         const std::array<Point, 8> POINTS{{{1, 1}, {2, 2}, {1, 8}, {5, 1}, {9, 1}, {9, 9}, {3, 3}, {5, 5}}};
+
+        /* Of the wall: none, two with a gap above it, and one that closes the way. */
+        const std::array<double, 4> HEIGHTS{{-1.0, 3.0, 6.0, 11.0}};
 
         /* The values that a parameter accepts and rejects according to docs/planner.md. */
         struct Values
@@ -94,6 +98,7 @@ namespace ompl_mfa::planner
                 {"recombination", {"0", "1"}, {"2", "no", ""}},
                 {"tightening", {"0", "1"}, {"-1", "yes", "10"}},
                 {"seed", {"0", "1", "7", "4294967295"}, {"-1", "4294967296", "1.5"}},
+                {"strictness", {"1", "2", "8"}, {"0", "65", "x"}},
                 {"threads", {"1", "2"}, {"0", "65", "two"}}};
             return VALUES;
         }
@@ -220,6 +225,17 @@ namespace ompl_mfa::planner
         goal_->as<ob::GoalStates>()->addState(state(point).get());
     }
 
+    /* A path through some of the points, which may be in the wall. */
+    void Model::addHint(unsigned int a, unsigned int b)
+    {
+        og::PathGeometric path(problem_.si);
+        for (unsigned int i = 0; i <= a % 5; ++i)
+        {
+            path.append(state(POINTS[(b + i * (1 + a / 5)) % POINTS.size()]).get());
+        }
+        planner_.addPathHint(path);
+    }
+
     void Model::changeGoal(unsigned int a, unsigned int b)
     {
         const Point &point = POINTS[b % POINTS.size()];
@@ -302,7 +318,7 @@ namespace ompl_mfa::planner
                 return;
             case Call::ChangeWorld:
                 restarts();
-                height_ = std::array<double, 4>{{-1.0, 3.0, 6.0, 11.0}}[command.a % 4];
+                height_ = HEIGHTS[command.a % 4];
                 return planner_.clear();
             case Call::Clear:
                 restarts();
@@ -310,6 +326,10 @@ namespace ompl_mfa::planner
             case Call::ClearQuery:
                 restarts();
                 return planner_.clearQuery();
+            case Call::ValidityChanged:
+                restarts();
+                height_ = HEIGHTS[command.a % 4];
+                return planner_.validityChanged();
             default:
                 return changeGoal(command.a, command.b);
         }
@@ -358,6 +378,9 @@ namespace ompl_mfa::planner
                 {
                     objective->setCostThreshold(ob::Cost(command.a % 2 == 0 ? 0.0 : 14.0));
                 }
+                break;
+            case Call::AddHint:
+                addHint(command.a, command.b);
                 break;
             case Call::Setup:
                 planner_.setup();

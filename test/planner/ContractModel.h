@@ -76,6 +76,8 @@ namespace ompl_mfa::planner
         ChangeWorld,
         Clear,
         ClearQuery,
+        ValidityChanged,
+        AddHint,
         Setup,
         GetPlannerData,
         Solve,
@@ -141,6 +143,7 @@ namespace ompl_mfa::planner
         void newGoal(unsigned int a, unsigned int b);
         void changeGoal(unsigned int a, unsigned int b);
         void addGoal(const Point &point);
+        void addHint(unsigned int a, unsigned int b);
         void newProblemDefinition(bool same, unsigned int a, unsigned int b);
         void change(const Command &command);
         void solve(unsigned int evaluations);

@@ -70,6 +70,8 @@ namespace ompl_mfa::planner
                                                                                             "ChangeWorld",
                                                                                             "Clear",
                                                                                             "ClearQuery",
+                                                                                            "ValidityChanged",
+                                                                                            "AddHint",
                                                                                             "Setup",
                                                                                             "GetPlannerData",
                                                                                             "Solve",

@@ -69,6 +69,19 @@ namespace ompl_mfa::engine::graph
         begun_ = false;
     }
 
+    void LazyGraph::take(LazyGraph &other)
+    {
+        graph_.take(other.graph_);
+        begun_ = false;
+        other.clear();
+    }
+
+    void LazyGraph::forgetValidity()
+    {
+        graph_.forgetValidity();
+        begun_ = false;
+    }
+
     std::size_t LazyGraph::addVertex(const ob::State *state, bool valid)
     {
         begun_ = false;

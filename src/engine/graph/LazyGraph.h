@@ -91,6 +91,20 @@ namespace ompl_mfa::engine::graph
            renumbered from 0. False if the evaluator was interrupted; then nothing is removed. */
         bool retain(const std::vector<bool> &kept);
 
+        /** \brief Takes all vertices and edges of \e other, a graph over the same space and objective, with what is
+            known of them, but no starts and goals. \e other is then empty. */
+        void take(LazyGraph &other);
+
+        /** \brief Forgets what is known of the validity of states and motions, also of motions that retain() removed
+            as invalid: these are edges again if both their vertices are left. */
+        void forgetValidity();
+
+        /** \brief Whether \e vertex was found valid. */
+        bool isValid(std::size_t vertex) const
+        {
+            return graph_.vertices[vertex].validity == MotionGraph::Validity::Valid;
+        }
+
         std::size_t size() const
         {
             return graph_.vertices.size();

@@ -36,6 +36,7 @@
 
 #include "engine/graph/MotionGraph.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <ompl/base/Cost.h>
@@ -62,9 +63,50 @@ namespace ompl_mfa::engine::graph
         vertices.clear();
         edges.clear();
         checks.clear();
+        dropped.clear();
         starts.clear();
         goals.clear();
         acyclic = true;
+    }
+
+    void MotionGraph::take(MotionGraph &other)
+    {
+        clear();
+        std::swap(states, other.states);
+        vertices.swap(other.vertices);
+        edges.swap(other.edges);
+        checks.swap(other.checks);
+        dropped.swap(other.dropped);
+        acyclic = other.acyclic;
+        for (Vertex &vertex : vertices)
+        {
+            vertex.start = false;
+            vertex.goal = NONE;
+        }
+        other.clear();
+    }
+
+    void MotionGraph::forgetValidity()
+    {
+        for (Vertex &vertex : vertices)
+        {
+            vertex.validity = Validity::Unknown;
+        }
+        const Edge *last = nullptr;
+        for (const Edge &edge : dropped)
+        {
+            // the two directions of a motion are adjacent
+            if (last == nullptr || last->check != edge.check || last->from != edge.to || last->to != edge.from)
+            {
+                checks.push_back(Validity::Unknown);
+            }
+            last = &edge;
+            vertices[edge.from].out.push_back(static_cast<Index>(edges.size()));
+            vertices[edge.to].in.push_back(static_cast<Index>(edges.size()));
+            edges.push_back({edge.from, edge.to, static_cast<Index>(checks.size() - 1), edge.cost});
+        }
+        dropped.clear();
+        std::fill(checks.begin(), checks.end(), Validity::Unknown);
     }
 
     std::size_t MotionGraph::addVertex(const ob::State *state, bool valid)
@@ -165,6 +207,14 @@ namespace ompl_mfa::engine::graph
     {
         std::deque<Edge> retainedEdges;
         std::vector<Validity> retainedChecks;
+        std::vector<Edge> stillDropped;
+        for (const Edge &edge : dropped)
+        {
+            if (numbers[edge.from] != NONE && numbers[edge.to] != NONE)
+            {
+                stillDropped.push_back({numbers[edge.from], numbers[edge.to], edge.check, edge.cost});
+            }
+        }
         // the two directions of a motion are adjacent
         Index check = NONE;
         std::size_t handled = 0;
@@ -176,8 +226,13 @@ namespace ompl_mfa::engine::graph
             }
             const Index from = numbers[edge.from];
             const Index to = numbers[edge.to];
-            if (from == NONE || to == NONE || checks[edge.check] == Validity::Invalid)
+            if (from == NONE || to == NONE)
             {
+                continue;
+            }
+            if (checks[edge.check] == Validity::Invalid)
+            {
+                stillDropped.push_back({from, to, edge.check, edge.cost});
                 continue;
             }
             if (edge.check != check)
@@ -192,6 +247,7 @@ namespace ompl_mfa::engine::graph
         evaluator_.addWork(edges.size() / EDGES_PER_WORK);
         edges.swap(retainedEdges);
         checks.swap(retainedChecks);
+        dropped.swap(stillDropped);
         return true;
     }
 

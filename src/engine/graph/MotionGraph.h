@@ -107,6 +107,8 @@ namespace ompl_mfa::engine::graph
 
         /** \brief These are documented at LazyGraph. */
         void clear();
+        void take(MotionGraph &other);
+        void forgetValidity();
         std::size_t addVertex(const ompl::base::State *state, bool valid);
         void setStart(std::size_t vertex);
         void setGoal(std::size_t vertex);
@@ -123,6 +125,7 @@ namespace ompl_mfa::engine::graph
         std::vector<Vertex> vertices;
         std::deque<Edge> edges;  ///< a vector would take milliseconds to copy when it grows
         std::vector<Validity> checks;
+        std::vector<Edge> dropped;  ///< invalid edges removed by retain(), in case they become valid
         std::vector<End> starts;
         std::vector<End> goals;
         bool acyclic{true};  ///< whether every edge leads from an earlier vertex to a later one

@@ -34,73 +34,54 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_ENGINE_FIREFLIES_LOCAL_TREES_
-#define OMPL_MFA_ENGINE_FIREFLIES_LOCAL_TREES_
+#ifndef OMPL_MFA_ENGINE_REFINEMENT_PATH_MENDING_
+#define OMPL_MFA_ENGINE_REFINEMENT_PATH_MENDING_
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
-#include <Eigen/Core>
-
-#include <ompl/util/RandomNumbers.h>
-
+#include "engine/SearchPart.h"
+#include "engine/refinement/LocalTrees.h"
 #include "path/PathEvaluator.h"
 #include "path/StateChart.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa::engine::fireflies
+namespace ompl_mfa::engine::refinement
 {
-    /** \brief RRT-Connect between two states of a path, within the ellipsoid of the states through which a connection
-       of a given length can lead. The trees are small and are discarded after each call.
-
-        J. J. Kuffner and S. M. LaValle, RRT-Connect: an efficient approach to single-query path planning, ICRA 2000. */
-    class LocalTrees
+    /** \brief Makes any path between two valid states valid. Each colliding section, however long, is replaced by small
+        trees between the valid states before and behind it. What is valid stays as it is. */
+    class PathMending : public PathMender
     {
     public:
         /** \brief \e evaluator must outlive the object. */
-        LocalTrees(path::StateChartPtr chart, path::PathEvaluator &evaluator, std::uint_fast32_t seed);
+        PathMending(path::StateChartPtr chart, path::PathEvaluator &evaluator, std::uint_fast32_t seed);
 
-        /** \brief Searches for a path from \e from to \e to, both valid, of about \e longest at most in the unit of the
-            space's distance, with a budget of \e work units of PathEvaluator::work(). True if \e found is such a path;
-            it was checked as PathEvaluator::checkMotion does now, and is not the straight motion. */
-        bool connect(const ompl::base::State *from, const ompl::base::State *to, double longest, std::uint64_t work,
-                     path::Waypoints &found);
+        bool mend(path::Waypoints &path, unsigned int effort) override;
 
     private:
-        enum class Extension : unsigned char
+        /* A state on a path: \e number + 1 of \e segments steps along the motion to \e vertex. */
+        struct Walk
         {
-            Trapped,
-            Advanced,
-            Reached
+            std::size_t vertex;
+            unsigned int number;
+            unsigned int segments;
         };
 
-        struct Tree
-        {
-            explicit Tree(const ompl::base::StateSpacePtr &space)
-              : states(space)
-            {
-            }
-
-            void reset(const ompl::base::State *root);
-
-            path::Waypoints states;
-            std::vector<std::size_t> parents;
-        };
-
-        void sample(const ompl::base::State *from, const Eigen::VectorXd &axis, double longest);
-        Extension extend(Tree &tree, bool forward, const ompl::base::State *target);
-        void join(path::Waypoints &found) const;
+        bool bridge(const path::Waypoints &path, std::size_t &next, unsigned int effort);
+        bool findGap(const path::Waypoints &path, std::size_t &next, double margin);
+        void advance(const path::Waypoints &path, Walk &walk) const;
+        void stateOn(const ompl::base::State *from, const ompl::base::State *to, const Walk &walk);
+        void retreat(double margin);
+        void append(const ompl::base::State *state);
 
         path::StateChartPtr chart_;
         path::PathEvaluator &evaluator_;
-        ompl::RNG rng_;
-        double range_;
-        Tree fromTree_;
-        Tree toTree_;
-        path::Waypoints scratch_;
-        Eigen::VectorXd point_;
+        LocalTrees trees_;
+        path::Waypoints mended_;   ///< the valid path so far
+        path::Waypoints detour_;   ///< connection over a gap
+        path::Waypoints scratch_;  ///< ends of the gap and states in between
+        double length_{0.0};       ///< of the path, in the unit of the space's distance
     };
-}  // namespace ompl_mfa::engine::fireflies
+}  // namespace ompl_mfa::engine::refinement
 
 #endif

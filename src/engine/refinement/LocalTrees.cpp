@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "engine/fireflies/LocalTrees.h"
+#include "engine/refinement/LocalTrees.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa::engine::fireflies
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -186,4 +186,4 @@ namespace ompl_mfa::engine::fireflies
             found.append(toTree_.states[i]);
         }
     }
-}  // namespace ompl_mfa::engine::fireflies
+}  // namespace ompl_mfa::engine::refinement
