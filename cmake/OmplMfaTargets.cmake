@@ -38,10 +38,9 @@ endfunction()
 function(ompl_mfa_add_library target export_name)
     add_library(${target})
     add_library(ompl_mfa::${export_name} ALIAS ${target})
-    # Before version 1 the ABI may change with each minor version.
     set_target_properties(${target} PROPERTIES
         EXPORT_NAME ${export_name} VERSION ${PROJECT_VERSION}
-        SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+        SOVERSION ${PROJECT_VERSION_MAJOR}
         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON INSTALL_RPATH "$ORIGIN")
     target_compile_features(${target} PUBLIC cxx_std_17)
     target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
@@ -64,7 +63,7 @@ function(ompl_mfa_add_test name)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/test)
     target_compile_definitions(${name} PRIVATE OMPL_MFA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     ompl_mfa_optimize_lightly(${name})
-    if("${ARG_LIBRARIES}" MATCHES "ompl_mfa(::(ompl_mfa|collision|robots|benchmark)|_cli|_anytime|_paper)")
+    if("${ARG_LIBRARIES}" MATCHES "ompl_mfa(::(ompl_mfa|collision|maps|robots|benchmark)|_cli|_anytime|_paper)")
         target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/OmplSeed.cpp)
     endif()
     # Tests that do not link OMPL are compiled without it.

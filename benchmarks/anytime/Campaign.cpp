@@ -78,6 +78,7 @@ namespace ompl_mfa::anytime
         {
             return {{"solved", result.solved},
                     {"valid", result.valid},
+                    {"strict", result.strict},
                     {"cost", finiteOrNull(result.cost)},
                     {"wall", result.wall},
                     {"cpu", result.cpu},
@@ -125,8 +126,11 @@ namespace ompl_mfa::anytime
             }
             if (result.at("solved"))
             {
-                report.text += ", cost " + text::numberText(result.at("cost"), 6) +
-                               (result.at("valid") ? "" : ", which fails check()");
+                report.text +=
+                    ", cost " + text::numberText(result.at("cost"), 6) +
+                    (!result.at("valid")    ? ", which fails check()"
+                     : !result.at("strict") ? ", which fails at " + std::to_string(STRICTNESS) + " times the resolution"
+                                            : "");
             }
             return report;
         }

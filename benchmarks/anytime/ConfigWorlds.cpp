@@ -64,12 +64,18 @@ namespace ompl_mfa::anytime
             return kind == benchmark::StateSpaceKind::SE2 || kind == benchmark::StateSpaceKind::SE3;
         }
 
-        World configWorld(const std::filesystem::path &file, const std::string &prefix)
+        World namedWorld(const std::filesystem::path &file, const std::string &prefix)
         {
             const std::string name = prefix + file.stem().string();
             return {name, name, [file] { return makeConfigProblem(file); }, {}};
         }
     }  // namespace
+
+    World configWorld(const std::filesystem::path &file)
+    {
+        benchmark::readBenchmarkConfig(file);
+        return namedWorld(file, "");
+    }
 
     std::vector<World> configWorlds(const std::filesystem::path &folder, const std::string &prefix)
     {
@@ -82,7 +88,7 @@ namespace ompl_mfa::anytime
         {
             if (entry.path().extension() == ".cfg" && isRigidBody(entry.path()))
             {
-                worlds.push_back(configWorld(entry.path(), prefix));
+                worlds.push_back(namedWorld(entry.path(), prefix));
             }
         }
         std::sort(worlds.begin(), worlds.end(), [](const World &a, const World &b) { return a.name < b.name; });
@@ -97,7 +103,7 @@ namespace ompl_mfa::anytime
             const std::filesystem::path file = folder / (std::string(name) + ".cfg");
             if (std::filesystem::is_regular_file(file))
             {
-                worlds.push_back(configWorld(file, "omplapp_"));
+                worlds.push_back(namedWorld(file, "omplapp_"));
             }
         }
         return worlds;

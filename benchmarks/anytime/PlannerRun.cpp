@@ -48,6 +48,7 @@
 #include "anytime/PlannerText.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
+#include "path/FineChecks.h"
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -103,6 +104,7 @@ namespace ompl_mfa::anytime
             }
             const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.pdef->getSolutionPath());
             result.valid = path->check() && joinsStartAndGoal(problem, *path);
+            result.strict = result.valid && path::isValidAt(*problem.si, path->getStates(), STRICTNESS);
             result.cost = path->cost(problem.pdef->getOptimizationObjective()).value();
             storePath(problem, *path, result);
             timePathCheck(problem, *path, result);

@@ -48,6 +48,9 @@
 
 namespace ompl_mfa::anytime
 {
+    /** \brief All planners' paths are checked at this many times the resolution; the default of MFA's parameter. */
+    constexpr unsigned int STRICTNESS = 8;
+
     struct RunRequest
     {
         const World *world;
@@ -77,6 +80,8 @@ namespace ompl_mfa::anytime
             start to the goal. */
         bool solved{false};
         bool valid{false};
+        /** \brief Whether that path is also valid at STRICTNESS times the resolution at which it was planned. */
+        bool strict{false};
         /** \brief Cost of the returned path; infinite if there is none. */
         double cost{std::numeric_limits<double>::infinity()};
         /** \brief The states of that path, each as the reals of its space. */

@@ -97,9 +97,11 @@ namespace ompl_mfa::anytime
         return selected;
     }
 
-    std::vector<World> selectWorlds(const std::string &pattern, const std::vector<std::string> &generated)
+    std::vector<World> selectWorlds(const std::string &pattern, const std::vector<std::string> &generated,
+                                    const std::vector<std::filesystem::path> &configs)
     {
         std::vector<World> worlds = generatedWorlds(generated);
+        std::transform(configs.begin(), configs.end(), std::back_inserter(worlds), configWorld);
         if (pattern.empty() && !worlds.empty())
         {
             return worlds;
@@ -115,10 +117,14 @@ namespace ompl_mfa::anytime
         return worlds;
     }
 
-    std::string namePattern(const std::string &pattern, const std::vector<std::string> &generated)
+    std::string namePattern(const std::string &pattern, const std::vector<std::string> &generated,
+                            const std::vector<std::filesystem::path> &configs)
     {
+        std::vector<std::string> names = generated;
+        std::transform(configs.begin(), configs.end(), std::back_inserter(names),
+                       [](const std::filesystem::path &file) { return file.stem().string(); });
         std::string both = pattern;
-        for (const std::string &name : generated)
+        for (const std::string &name : names)
         {
             both += (both.empty() ? "^" : "|^") + name + "$";
         }

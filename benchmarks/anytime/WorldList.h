@@ -90,6 +90,10 @@ namespace ompl_mfa::anytime
         such folder. Throws InputError for a config that cannot be read. */
     std::vector<World> configWorlds(const std::filesystem::path &folder, const std::string &prefix);
 
+    /** \brief The config \e file, of any space with one start and one goal, with path length as its objective; named by
+        the file's stem. Throws InputError for a config that cannot be read. */
+    World configWorld(const std::filesystem::path &file);
+
     /** \brief Those of the five sample problems of OMPL.app found in \e folder. */
     std::vector<World> omplAppWorlds(const std::filesystem::path &folder);
 
@@ -101,13 +105,15 @@ namespace ompl_mfa::anytime
         or one that matches nothing. */
     std::vector<World> selectWorlds(const std::string &pattern);
 
-    /** \brief generatedWorlds() of \e generated, and selectWorlds() of \e pattern unless that is empty and there are
-        others; each world once. */
-    std::vector<World> selectWorlds(const std::string &pattern, const std::vector<std::string> &generated);
+    /** \brief generatedWorlds() of \e generated, the worlds of \e configs, and selectWorlds() of \e pattern unless that
+        is empty and there are others; each world once. */
+    std::vector<World> selectWorlds(const std::string &pattern, const std::vector<std::string> &generated,
+                                    const std::vector<std::filesystem::path> &configs = {});
 
     /** \brief A pattern for the statistics: it matches the names that \e pattern matches, unless that is empty and
-       there are generated worlds, and those of \e generated. */
-    std::string namePattern(const std::string &pattern, const std::vector<std::string> &generated);
+       there are other worlds, and those of \e generated and \e configs. */
+    std::string namePattern(const std::string &pattern, const std::vector<std::string> &generated,
+                            const std::vector<std::filesystem::path> &configs = {});
 }  // namespace ompl_mfa::anytime
 
 #endif

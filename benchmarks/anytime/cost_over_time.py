@@ -46,9 +46,12 @@ class Run:
         self.seed = record["seed"]
         self.limit = record["time_limit"]
         self.status = record["status"]
-        # a run whose planner crashed, never returned or returned an invalid path has no solution
-        self.success = self.status == "returned" and record["solved"] and record["valid"]
-        self.invalid = self.status == "returned" and record["solved"] and not record["valid"]
+        # a run whose planner crashed, never returned or returned an invalid path has no solution; nor has one whose path
+        # is invalid at a finer resolution, which older journals do not tell
+        solved = self.status == "returned" and record["solved"]
+        self.invalid = solved and not record["valid"]
+        self.lax = solved and record["valid"] and not record.get("strict", True)
+        self.success = solved and not self.invalid and not self.lax
         self.overrun = record[clock] > self.latest()
         self.cost = record["cost"] if self.success else math.inf
         self.path = record["path"]
@@ -90,6 +93,7 @@ class Row:
         self.cost = median([run.cost for run in runs])
         self.checks = median([run.checks for run in runs])
         self.invalid = sum(run.invalid for run in runs)
+        self.lax = sum(run.lax for run in runs)
         self.failed = [run.status for run in runs if run.status != "returned"]
         self.overrun = sum(run.overrun for run in runs)
         self.peers = []

@@ -61,6 +61,7 @@ namespace
     {
         std::string worlds;
         std::vector<std::string> generated;
+        std::vector<std::filesystem::path> configs;
         std::string planners{"mfa,peers"};
         std::uint32_t seeds{15};
         double time{2.0};
@@ -101,7 +102,7 @@ namespace
 
     void printOptima(const Options &options)
     {
-        for (const auto &world : anytime::selectWorlds(options.worlds, options.generated))
+        for (const auto &world : anytime::selectWorlds(options.worlds, options.generated, options.configs))
         {
             if (!world.optimum)
             {
@@ -125,7 +126,7 @@ namespace
                                            "--clock",
                                            options.clock,
                                            "--worlds",
-                                           anytime::namePattern(options.worlds, options.generated)};
+                                           anytime::namePattern(options.worlds, options.generated, options.configs)};
         if (!options.csv.empty())
         {
             arguments.insert(arguments.end(), {"--csv", options.csv.string()});
@@ -160,9 +161,10 @@ namespace
 
     void run(const Options &options)
     {
-        const anytime::CampaignRequest request{anytime::selectWorlds(options.worlds, options.generated),
-                                               anytime::splitPlanners(options.planners), options.seeds, options.time,
-                                               options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::Wall};
+        const anytime::CampaignRequest request{
+            anytime::selectWorlds(options.worlds, options.generated, options.configs),
+            anytime::splitPlanners(options.planners), options.seeds, options.time,
+            options.clock == "cpu" ? anytime::Clock::CPU : anytime::Clock::Wall};
         ompl_mfa::campaign::RunOptions runs;
         runs.journal = options.runs;
         runs.jobs = options.jobs;
@@ -200,10 +202,13 @@ namespace
 
     void addWorldOptions(CLI::App &command, Options &options)
     {
-        command.add_option("--worlds", options.worlds,
-                           "regular expression that selects worlds; all, or none with --generated, if not given");
+        command.add_option(
+            "--worlds", options.worlds,
+            "regular expression that selects worlds; all, or none with --generated or --configs, if not given");
         command.add_option("--generated", options.generated,
                            "worlds of any seed, such as random_boxes_8d_101 arm_7_{11..15}; `list` has the families");
+        command.add_option("--configs", options.configs, "config files of problems, each a world named by its stem")
+            ->check(CLI::ExistingFile);
     }
 
     int parseAndRun(int argc, char **argv)

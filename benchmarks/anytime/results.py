@@ -38,6 +38,8 @@ def remarks(row):
         parts.append(f"{len(row.failed)} {'/'.join(sorted(set(row.failed)))}")
     if row.invalid:
         parts.append(f"{row.invalid} fail check()")
+    if row.lax:
+        parts.append(f"{row.lax} invalid at 8 times the resolution")
     if row.overrun:
         parts.append(f"{row.overrun} over time")
     return ", ".join(parts)

@@ -236,7 +236,9 @@ namespace ompl_mfa::benchmark
             joints.space()->setLongestValidSegmentFraction(
                 std::min(LARGEST, problem.arm.step / joints.space()->getMaximumExtent()));
         }
-        arm.setChecks(setup->getSpaceInformation(), joints, problem.motionValidation.value);
+        arm.setChecks(
+            setup->getSpaceInformation(), joints,
+            problem.motionValidation ? problem.motionValidation->value : collision::MotionValidation::Discrete);
         return setup;
     }
 }  // namespace ompl_mfa::benchmark

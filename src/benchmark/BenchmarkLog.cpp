@@ -38,15 +38,13 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <fstream>
-#include <locale>
 #include <ostream>
 #include <set>
 
+#include "benchmark/LogText.h"
 #include "ompl_mfa/InputError.h"
 #include "text/NumberText.h"
 
@@ -54,37 +52,10 @@ namespace ompl_mfa::benchmark
 {
     namespace
     {
-        /* "-nan" and "-inf" make ompl_benchmark_statistics fail; a separator inside a value would shift all columns. */
-        std::string cleanValue(const std::string &value)
-        {
-            double number = 0.0;
-            if (text::readNumber(value, number) && !std::isfinite(number))
-            {
-                return std::isinf(number) && number > 0.0 ? "inf" : "nan";
-            }
-            std::string clean = value;
-            std::replace_if(
-                clean.begin(), clean.end(),
-                [](char letter) { return letter == ';' || letter == ',' || letter == '\n' || letter == '\r'; }, ' ');
-            return clean;
-        }
-
-        std::string oneWord(const std::string &text)
-        {
-            std::string word = text.empty() ? "NO_NAME" : text;
-            std::replace_if(
-                word.begin(), word.end(), [](char letter) { return std::isspace(letter, std::locale::classic()); },
-                '_');
-            return word;
-        }
-
         void writeBlock(std::ostream &out, const std::string &text)
         {
             out << "<<<|\n" << text << (text.empty() || text.back() == '\n' ? "" : "\n") << "|>>>\n";
         }
-
-        /* Significant digits of numbers in the header. */
-        constexpr int DIGITS = 10;
 
         void writeHeader(std::ostream &out, const BenchmarkLog &log)
         {
@@ -100,10 +71,10 @@ namespace ompl_mfa::benchmark
             writeBlock(out, log.setup);
             writeBlock(out, log.cpu);
             out << log.seed << " is the random seed\n"
-                << text::numberText(log.timeLimit, DIGITS) << " seconds per run\n"
-                << text::numberText(log.memoryLimit, DIGITS) << " MB per run\n"
+                << text::numberText(log.timeLimit, LOG_DIGITS) << " seconds per run\n"
+                << text::numberText(log.memoryLimit, LOG_DIGITS) << " MB per run\n"
                 << log.runCount << " runs per planner\n"
-                << text::numberText(log.duration, DIGITS) << " seconds spent to collect the data\n"
+                << text::numberText(log.duration, LOG_DIGITS) << " seconds spent to collect the data\n"
                 << log.enums.size() << " enum type" << (log.enums.size() == 1 ? "" : "s") << "\n";
             for (const LogEnum &entry : log.enums)
             {
@@ -118,14 +89,7 @@ namespace ompl_mfa::benchmark
 
         void writeRuns(std::ostream &out, const PlannerLog &planner)
         {
-            std::set<std::string> names;
-            for (const LogProperties &run : planner.runs)
-            {
-                for (const auto &property : run)
-                {
-                    names.insert(property.first);
-                }
-            }
+            const std::set<std::string> names = propertyNames(planner);
             out << names.size() << " properties for each run\n";
             for (const std::string &name : names)
             {
@@ -156,7 +120,7 @@ namespace ompl_mfa::benchmark
                 std::string last;
                 for (const ProgressSample &sample : samples)
                 {
-                    const std::string time = text::fixedText(sample.time, 6);
+                    const std::string time = progressTime(sample.time);
                     if (time == last)
                     {
                         continue;

@@ -161,28 +161,40 @@ namespace ompl_mfa::benchmark
             return record;
         }
 
+        std::size_t problemOf(const CampaignDescription &description, unsigned int run)
+        {
+            return description.problems.empty() ? 0 : run % description.problems.size();
+        }
+
         campaign::Task makeTask(const CampaignDescription &description, const CampaignPlanner &planner,
                                 unsigned int run, double grace)
         {
             const std::uint32_t seed = runSeed(description.seed, run);
+            const std::size_t problem = problemOf(description, run);
             campaign::Task task;
             task.key = {{"planner", logName(planner)}, {"run", run}};
             task.name = planner.name + ", run " + std::to_string(run + 1);
             task.group = planner.name;
             task.expected = description.settings.timeLimit;
-            task.makeWork = [&description, &planner, run, seed, grace]
+            task.makeWork = [&description, &planner, run, seed, problem, grace]
             {
                 const auto state = campaign::makeShared<RunState>();
                 campaign::Work work;
                 work.state = state;
                 work.limits = limitsOf(description.settings, grace);
-                work.body = [&description, &planner, seed, state] {
-                    return writeRunRecord(
-                        measureRun(planner.makeProblem, planner.makePlanner, description.settings, seed, *state));
-                };
-                work.report = [&planner, run, seed, state](const RunProcess &process)
+                work.body = [&description, &planner, seed, problem, state]
                 {
-                    const RunRecord record = recordOf(process, *state, planner, run, seed);
+                    return writeRunRecord(measureRun([&planner, problem] { return planner.makeProblem(problem); },
+                                                     planner.makePlanner, description.settings, seed, *state));
+                };
+                work.report = [&description, &planner, run, seed, problem, state](const RunProcess &process)
+                {
+                    RunRecord record = recordOf(process, *state, planner, run, seed);
+                    if (!description.problems.empty())
+                    {
+                        const LogProperties &properties = description.problems[problem];
+                        record.properties.insert(properties.begin(), properties.end());
+                    }
                     return campaign::RunReport{toJson(record), describeRun(record),
                                                record.termination != RunTermination::Returned};
                 };
@@ -237,7 +249,11 @@ namespace ompl_mfa::benchmark
             ompl::RNG::setSeed(runSeed(description_.seed, 0));
             for (const CampaignPlanner &planner : description_.planners)
             {
-                planner.makePlanner(planner.makeProblem()->getSpaceInformation());
+                planner.makePlanner(planner.makeProblem(0)->getSpaceInformation());
+            }
+            for (std::size_t problem = 1; problem < description_.problems.size(); ++problem)
+            {
+                description_.planners.front().makeProblem(problem);
             }
             return std::string("valid");
         };
@@ -289,6 +305,13 @@ namespace ompl_mfa::benchmark
                 << description_.seed << ' ' << static_cast<int>(description_.savePaths);
         std::vector<std::string> texts{OMPL_MFA_OMPL_VERSION, OMPL_MFA_VERSION, description_.name,
                                        description_.identity, numbers.str()};
+        for (const LogProperties &problem : description_.problems)
+        {
+            for (const auto &property : problem)
+            {
+                texts.push_back(property.first + " = " + property.second);
+            }
+        }
         for (const CampaignPlanner &planner : description_.planners)
         {
             texts.push_back(planner.name);

@@ -34,8 +34,11 @@
 
 /* Author: the ompl_mfa authors */
 
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -44,6 +47,7 @@
 #include "ompl_mfa/benchmark/Campaign.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/benchmark/ProblemFactory.h"
+#include "text/NumberText.h"
 
 namespace ompl_mfa::benchmark
 {
@@ -56,8 +60,9 @@ namespace ompl_mfa::benchmark
         }
 
         /* The texts of the config, the world and the robot, so that a campaign with a changed mesh counts as a
-           different one (the meshes of an arm, which its URDF file names, are not included). */
-        std::string identityOf(const BenchmarkConfig &config)
+           different one (the meshes of an arm, which its URDF file names, are not included); of a map the cells, which
+           are in several files. */
+        std::string identityOf(const BenchmarkConfig &config, const maps::ObstacleGrid *map)
         {
             std::string identity = fileText(config.file);
             if (config.problem.robotKind == RobotKind::Arm)
@@ -72,11 +77,44 @@ namespace ompl_mfa::benchmark
             {
                 identity += fileText(findResource(config, *config.problem.world));
             }
+            if (map != nullptr)
+            {
+                const std::vector<maps::Cell> &cells = map->map().cells();
+                std::transform(cells.begin(), cells.end(), std::back_inserter(identity),
+                               [](maps::Cell cell) { return static_cast<char>(cell); });
+            }
+            if (config.problem.scenario)
+            {
+                identity += fileText(findResource(config, *config.problem.scenario));
+            }
             if (config.problem.robotKind == RobotKind::File)
             {
                 identity += fileText(findResource(config, config.problem.robot));
             }
             return identity;
+        }
+
+        /* The problems of a scenario, and runCount of each; nothing for a single problem. */
+        void addProblems(const ProblemFactory &factory, CampaignDescription &description)
+        {
+            const auto &problems = factory.problems();
+            if (problems.empty())
+            {
+                return;
+            }
+            const std::uint64_t runs = std::uint64_t{description.runCount} * problems.size();
+            if (runs > std::numeric_limits<unsigned int>::max())
+            {
+                failAt(*factory.config().problem.scenario,
+                       "benchmark.run_count runs of each of the " + std::to_string(problems.size()) +
+                           " problems are more than " + std::to_string(std::numeric_limits<unsigned int>::max()));
+            }
+            description.runCount = static_cast<unsigned int>(runs);
+            for (const maps::ScenarioProblem &problem : problems)
+            {
+                description.problems.push_back({{"problem INTEGER", std::to_string(problem.index)},
+                                                {"octile length REAL", text::numberText(problem.octileLength)}});
+            }
         }
 
         void refuseSeeds(const BenchmarkConfig &config)
@@ -107,13 +145,24 @@ namespace ompl_mfa::benchmark
         description.runCount = config.benchmark.runCount;
         description.seed = config.benchmark.seed;
         description.savePaths = config.benchmark.savePaths;
-        description.identity = identityOf(config);
         const auto factory = std::make_shared<ProblemFactory>(config);
+        description.identity = identityOf(config, factory->map());
+        addProblems(*factory, description);
         for (const PlannerSpec &planner : config.planners)
         {
-            description.planners.push_back(
-                {planner.name, [factory, planner] { return factory->create(planner.context); },
-                 [planner](const ompl::base::SpaceInformationPtr &si) { return createPlanner(si, planner); }});
+            description.planners.push_back({planner.name,
+                                            [factory, planner](std::size_t problem)
+                                            {
+                                                if (factory->problems().empty())
+                                                {
+                                                    return factory->create(planner.context);
+                                                }
+                                                ProblemFactory selected(*factory);
+                                                selected.select(problem);
+                                                return selected.create(planner.context);
+                                            },
+                                            [planner](const ompl::base::SpaceInformationPtr &si)
+                                            { return createPlanner(si, planner); }});
         }
         return Campaign(std::move(description));
     }

@@ -47,6 +47,7 @@
 #include "benchmark/ArmConfig.h"
 #include "benchmark/ConfigKeys.h"
 #include "benchmark/FileNames.h"
+#include "benchmark/MapKeys.h"
 #include "benchmark/ProblemSpace.h"
 #include "collision/ResourceFolders.h"
 #include "ompl_mfa/InputError.h"
@@ -294,9 +295,11 @@ namespace ompl_mfa::benchmark
                     const ConfigEntry name{"problem.name", config_.file.stem().string(), config_.file.string()};
                     setValue(problemRows(), "name", name, config_.problem);
                 }
+                checkScenarioKeys(problem_);
                 checkArmKeys(problem_, config_.problem);
                 if (config_.problem.robotKind == RobotKind::Arm)
                 {
+                    checkRobotKeys(problem_, config_.problem, config_.file.string());
                     config_.problem.space = StateSpaceKind::Joints;
                     checkObjective();
                     return;
@@ -304,13 +307,18 @@ namespace ompl_mfa::benchmark
                 checkPose("start", config_.problem.start);
                 checkPose("goal", config_.problem.goal);
                 checkSpace();
-                checkRobot();
+                checkRobotKeys(problem_, config_.problem, config_.file.string());
                 checkVolume();
                 checkObjective();
             }
 
             void checkPose(const std::string &which, ConfigPose &pose) const
             {
+                if (config_.problem.scenario)
+                {
+                    pose.origin = config_.problem.scenario->origin;
+                    return;
+                }
                 for (const char *key : {".x", ".y"})
                 {
                     if (!find(problem_, which + key))
@@ -324,6 +332,10 @@ namespace ompl_mfa::benchmark
             std::set<std::string> poseKeys(const std::string &which) const
             {
                 std::set<std::string> keys;
+                if (config_.problem.scenario)
+                {
+                    keys = {"x", "y"};
+                }
                 for (const auto &[key, entry] : problem_)
                 {
                     if (boost::starts_with(key, which + "."))
@@ -383,28 +395,6 @@ namespace ompl_mfa::benchmark
                 }
             }
 
-            void checkRobot() const
-            {
-                const RobotKind kind = config_.problem.robotKind;
-                const ConfigEntry *robot = find(problem_, "robot");
-                if (!robot)
-                {
-                    throw InputError(
-                        config_.file.string() +
-                        ": problem.robot is missing; give a mesh, scene or .urdf file, point, disc or sphere");
-                }
-                const bool isRound = kind == RobotKind::Disc || kind == RobotKind::Sphere;
-                const ConfigEntry *radius = find(problem_, "robot.radius");
-                if (isRound && !radius)
-                {
-                    failAt(*robot, "a " + robot->value + " needs problem.robot.radius");
-                }
-                if (radius && !isRound)
-                {
-                    failAt(*radius, "only 'robot = disc' and 'robot = sphere' have a radius");
-                }
-            }
-
             void checkVolume()
             {
                 std::optional<ConfigVolume> &volume = config_.problem.volume;
@@ -446,9 +436,14 @@ namespace ompl_mfa::benchmark
                 }
             }
 
-            void checkObjective() const
+            void checkObjective()
             {
-                const ProblemConfig &problem = config_.problem;
+                ProblemConfig &problem = config_.problem;
+                if (const ConfigEntry *objective = find(problem_, "objective"))
+                {
+                    problem.objectiveOrigin = objective->origin;
+                }
+                checkClearanceCostKeys(problem_, problem);
                 const ConfigEntry *threshold = find(problem_, "objective.threshold");
                 const bool isWeighted = problem.objective == ObjectiveKind::Weighted;
                 if (threshold && !problem.objective)

@@ -46,6 +46,7 @@
 
 #include "benchmark/ArmConfig.h"
 #include "benchmark/FileNames.h"
+#include "benchmark/MapKeys.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::benchmark
@@ -191,6 +192,11 @@ namespace ompl_mfa::benchmark
                 rows_.push_back(std::move(row));
             }
 
+            void add(const std::vector<ConfigRow<Config>> &rows)
+            {
+                rows_.insert(rows_.end(), rows.begin(), rows.end());
+            }
+
             std::vector<ConfigRow<Config>> take()
             {
                 return std::move(rows_);
@@ -256,25 +262,28 @@ namespace ompl_mfa::benchmark
         ConfigRow<ProblemConfig> robotRow()
         {
             return {{"robot"},
-                    "a mesh or planning scene, a .urdf file, or one of point, disc, sphere",
+                    "a mesh or planning scene, a .urdf file, or one of point, disc, sphere, footprint",
                     "required",
                     "what moves",
                     [](ProblemConfig &problem, std::size_t, const ConfigEntry &entry)
                     {
                         problem.robot = entry;
-                        problem.robotKind = entry.value == "point"    ? RobotKind::Point
-                                            : entry.value == "disc"   ? RobotKind::Disc
-                                            : entry.value == "sphere" ? RobotKind::Sphere
-                                            : isArmFile(entry.value)  ? RobotKind::Arm
-                                                                      : RobotKind::File;
+                        problem.robotKind = entry.value == "point"       ? RobotKind::Point
+                                            : entry.value == "disc"      ? RobotKind::Disc
+                                            : entry.value == "sphere"    ? RobotKind::Sphere
+                                            : entry.value == "footprint" ? RobotKind::Footprint
+                                            : isArmFile(entry.value)     ? RobotKind::Arm
+                                                                         : RobotKind::File;
                     }};
         }
 
         ConfigRow<ProblemConfig> weightRow()
         {
             static constexpr ObjectiveKind TERMS[] = {ObjectiveKind::Length, ObjectiveKind::MechanicalWork,
-                                                      ObjectiveKind::Proximity};
-            return {{"objective.weight.length", "objective.weight.mechanical_work", "objective.weight.proximity"},
+                                                      ObjectiveKind::Proximity, ObjectiveKind::ClearanceCost,
+                                                      ObjectiveKind::Smoothness};
+            return {{"objective.weight.length", "objective.weight.mechanical_work", "objective.weight.proximity",
+                     "objective.weight.clearance_cost", "objective.weight.smoothness"},
                     positive().accepted,
                     "not in the sum",
                     "weight of this term of a weighted sum, which has at least one",
@@ -284,7 +293,7 @@ namespace ompl_mfa::benchmark
 
         void addGeometry(Rows<ProblemConfig> &rows)
         {
-            rows.add({"start.x", "start.y", "goal.x", "goal.y"}, finite(), positionOf, "required",
+            rows.add({"start.x", "start.y", "goal.x", "goal.y"}, finite(), positionOf, "required without a scenario",
                      "position of the robot's reference point, see Spaces");
             rows.add({"start.z", "goal.z"}, finite(), heightOf, "the problem is planar", "its height");
             rows.add({"start.axis.x", "start.axis.y", "start.axis.z", "goal.axis.x", "goal.axis.y", "goal.axis.z"},
@@ -313,11 +322,19 @@ namespace ompl_mfa::benchmark
                      oneOf<ObjectiveKind>({{"length", ObjectiveKind::Length},
                                            {"max_min_clearance", ObjectiveKind::MaxMinClearance},
                                            {"mechanical_work", ObjectiveKind::MechanicalWork},
+                                           {"clearance_cost", ObjectiveKind::ClearanceCost},
                                            {"weighted", ObjectiveKind::Weighted}}),
                      &ProblemConfig::objective, "none, see below", "what the planners optimize");
             rows.add({"objective.threshold"}, finite(), &ProblemConfig::objectiveThreshold,
                      "the objective's own: the best possible", "cost at which an optimizing planner may stop");
             rows.add(weightRow());
+            const auto atLeast0 = number("a number of at least 0", [](double value) { return value >= 0.0; });
+            rows.add("objective.cost_scaling_factor", atLeast0, &ProblemConfig::costScalingFactor,
+                     "how fast clearance_cost falls with the distance from obstacles, per world unit");
+            rows.add({"objective.inscribed_radius"}, atLeast0, &ProblemConfig::inscribedRadius, "the robot's",
+                     "distance up to which clearance_cost is highest");
+            rows.add("objective.cost_penalty", atLeast0, &ProblemConfig::costPenalty,
+                     "what a path at that distance costs per length, in addition to 1");
         }
 
         const Words<SamplerKind> SAMPLERS = {{"uniform", SamplerKind::Uniform},
@@ -335,11 +352,15 @@ namespace ompl_mfa::benchmark
             using collision::MotionValidation;
             Rows<ProblemConfig> rows;
             rows.add(nameRow());
-            rows.add({"world"}, file("a mesh, a planning scene (.yaml, .scene) or an OctoMap (.bt, .ot)"),
+            rows.add({"world"},
+                     file("a mesh, a planning scene (.yaml, .scene), an OctoMap (.bt, .ot) or a map (.yaml, .map)"),
                      &ProblemConfig::world, "an empty world", "the obstacles");
+            rows.add(unknownCellsRow());
             rows.add(robotRow());
             rows.add({"robot.radius"}, positive(), &ProblemConfig::robotRadius, "required for these",
                      "radius of a disc or sphere");
+            rows.add(footprintRows());
+            rows.add(scenarioRows());
             for (const ConfigRow<ProblemConfig> &row : armRows())
             {
                 rows.add(row);
@@ -349,7 +370,7 @@ namespace ompl_mfa::benchmark
             rows.add({"motion_validation"},
                      oneOf<MotionValidation>(
                          {{"discrete", MotionValidation::Discrete}, {"continuous", MotionValidation::Continuous}}),
-                     &ProblemConfig::motionValidation, "discrete",
+                     &ProblemConfig::motionValidation, "discrete; on a map continuous",
                      "whether motions are checked at states, as OMPL does, or as a whole");
             rows.add("mesh_interior",
                      oneOf<MeshInterior>({{"free", MeshInterior::Free}, {"solid", MeshInterior::Solid}}),

@@ -40,11 +40,30 @@
 #include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
+#include "ompl_mfa/InputError.h"
+#include "ompl_mfa/maps/ClearanceCostObjective.h"
+#include "ompl_mfa/maps/SmoothnessObjective.h"
+
 namespace ompl_mfa::benchmark
 {
     namespace
     {
         namespace ob = ompl::base;
+
+        ob::OptimizationObjectivePtr makeClearanceCost(const ob::SpaceInformationPtr &si, const ProblemConfig &problem)
+        {
+            const auto checker =
+                std::dynamic_pointer_cast<const maps::MapStateValidityChecker>(si->getStateValidityChecker());
+            if (!checker)
+            {
+                throw InputError("clearance_cost is for maps; the world is to be a .yaml of map_server or a .map");
+            }
+            maps::ClearanceCostObjective::Settings settings;
+            settings.costScalingFactor = problem.costScalingFactor;
+            settings.inscribedRadius = problem.inscribedRadius.value_or(checker->footprint().inscribedRadius());
+            settings.penalty = problem.costPenalty;
+            return std::make_shared<maps::ClearanceCostObjective>(si, checker, settings);
+        }
 
         ob::OptimizationObjectivePtr makeObjective(const ob::SpaceInformationPtr &si, const ProblemConfig &problem,
                                                    ObjectiveKind kind)
@@ -59,6 +78,10 @@ namespace ompl_mfa::benchmark
                     return std::make_shared<ob::MechanicalWorkOptimizationObjective>(si);
                 case ObjectiveKind::Proximity:
                     return std::make_shared<ProximityIntegralObjective>(si);
+                case ObjectiveKind::Smoothness:
+                    return std::make_shared<maps::SmoothnessObjective>(si);
+                case ObjectiveKind::ClearanceCost:
+                    return makeClearanceCost(si, problem);
                 case ObjectiveKind::Weighted:
                 {
                     auto sum = std::make_shared<ob::MultiOptimizationObjective>(si);

@@ -56,7 +56,8 @@ namespace ompl_mfa::benchmark
         ompl::base::Cost stateCost(const ompl::base::State *state) const override;
     };
 
-    /** \brief The objective of \e problem with its threshold; null if it has none. */
+    /** \brief The objective of \e problem with its threshold; null if it has none. The validity checker of \e si is to
+        be set. Throws InputError for a clearance_cost without a map and a smoothness outside of SE(2). */
     OMPL_MFA_EXPORT ompl::base::OptimizationObjectivePtr makeObjective(const ompl::base::SpaceInformationPtr &si,
                                                                        const ProblemConfig &problem);
 }  // namespace ompl_mfa::benchmark

@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/samplers/BridgeTestValidStateSampler.h>
 #include <ompl/base/samplers/GaussianValidStateSampler.h>
 #include <ompl/base/samplers/MaximizeClearanceValidStateSampler.h>
@@ -48,12 +49,14 @@
 
 #include "benchmark/ArmConfig.h"
 #include "benchmark/ConfigKeys.h"
+#include "benchmark/MapProblem.h"
 #include "benchmark/NearbyState.h"
 #include "benchmark/ObjectiveFactory.h"
 #include "benchmark/ProblemSpace.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/PlannerFactory.h"
 #include "ompl_mfa/collision/SceneLoader.h"
+#include "ompl_mfa/maps/MapMotionValidator.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::benchmark
@@ -63,9 +66,9 @@ namespace ompl_mfa::benchmark
         namespace ob = ompl::base;
         namespace og = ompl::geometric;
 
-        std::shared_ptr<const collision::Scene> loadWorld(const BenchmarkConfig &config)
+        std::shared_ptr<const collision::Scene> loadWorld(const BenchmarkConfig &config, bool isMap)
         {
-            if (!config.problem.world)
+            if (!config.problem.world || isMap)
             {
                 return std::make_shared<collision::Scene>();
             }
@@ -80,9 +83,13 @@ namespace ompl_mfa::benchmark
             }
         }
 
-        collision::RigidBody loadRobotOf(const BenchmarkConfig &config)
+        collision::RigidBody loadRobotOf(const BenchmarkConfig &config, const maps::Footprint &footprint)
         {
             const ProblemConfig &problem = config.problem;
+            if (problem.robotKind == RobotKind::Footprint)
+            {
+                return collision::RigidBody::sphere(footprint.reach() + footprint.margin());
+            }
             if (problem.robotKind != RobotKind::File)
             {
                 return collision::RigidBody::sphere(problem.robotRadius);
@@ -282,13 +289,18 @@ namespace ompl_mfa::benchmark
                              const std::shared_ptr<const collision::Scene> &world, const collision::RigidBody &robot)
         {
             const auto checker = makeChecker(si, problem, world, robot);
+            if (!problem.motionValidation)
+            {
+                collision::setCollisionChecking(si, checker, collision::MotionValidation::Discrete);
+                return;
+            }
             try
             {
-                collision::setCollisionChecking(si, checker, problem.motionValidation.value);
+                collision::setCollisionChecking(si, checker, problem.motionValidation->value);
             }
             catch (const InputError &error)
             {
-                failAt(problem.motionValidation.entry, error.what());
+                failAt(problem.motionValidation->entry, error.what());
             }
         }
 
@@ -323,7 +335,8 @@ namespace ompl_mfa::benchmark
         }
 
         void requireValid(const og::SimpleSetup &setup, const ob::ScopedState<> &state, const std::string &which,
-                          const ConfigPose &pose, const ProblemConfig &problem, const ob::RealVectorBounds &bounds)
+                          const ConfigPose &pose, const ProblemConfig &problem, const ob::RealVectorBounds &bounds,
+                          const maps::ObstacleGrid *map)
         {
             const std::string described = which + " " + describePose(problem.space, pose);
             if (!setup.getStateSpace()->satisfiesBounds(state.get()))
@@ -332,6 +345,11 @@ namespace ompl_mfa::benchmark
             }
             if (!setup.getSpaceInformation()->isValid(state.get()))
             {
+                const std::string cell = map != nullptr ? describeCell(*map, pose) : "";
+                if (!cell.empty())
+                {
+                    failAt(pose.origin, described + " is " + cell);
+                }
                 failAt(pose.origin, described + " is in collision" +
                                         (problem.world ? " with the world '" + problem.world->value + "'" : "") +
                                         describeCollision(*setup.getSpaceInformation(), problem.space, pose, bounds));
@@ -341,16 +359,67 @@ namespace ompl_mfa::benchmark
 
     ProblemFactory::ProblemFactory(BenchmarkConfig config)
       : config_(std::move(config))
+      , arm_(config_.problem.robotKind == RobotKind::Arm ? loadArm(config_) : nullptr)
+      , map_(arm_ ? nullptr : loadMapOf(config_))
+      , footprint_(map_ ? makeFootprint(config_.problem) : maps::Footprint::point())
+      , problems_(map_ ? loadScenarioOf(config_, *map_) : std::vector<maps::ScenarioProblem>())
     {
-        if (config_.problem.robotKind == RobotKind::Arm)
+        if (arm_)
         {
-            arm_ = loadArm(config_);
             world_ = {arm_, &arm_->robot().scene->world};
             return;
         }
-        world_ = loadWorld(config_);
-        robot_ = loadRobotOf(config_);
-        boundsOf(config_, *world_);
+        world_ = loadWorld(config_, map_ != nullptr);
+        robot_ = loadRobotOf(config_, footprint_);
+        if (!problems_.empty())
+        {
+            select(0);
+        }
+        bounds();
+    }
+
+    void ProblemFactory::select(std::size_t number)
+    {
+        const maps::ScenarioProblem &selected = problems_.at(number);
+        const auto place = [&selected](ConfigPose &pose, const Eigen::Vector2d &position)
+        {
+            pose.x = position.x();
+            pose.y = position.y();
+            pose.origin = selected.origin;
+        };
+        place(config_.problem.start, selected.start);
+        place(config_.problem.goal, selected.goal);
+    }
+
+    ob::RealVectorBounds ProblemFactory::bounds() const
+    {
+        if (!map_ || config_.problem.volume)
+        {
+            return boundsOf(config_, *world_);
+        }
+        const Eigen::AlignedBox2d box = map_->map().bounds();
+        ob::RealVectorBounds bounds(2);
+        for (unsigned int i = 0; i < 2; ++i)
+        {
+            bounds.setLow(i, box.min()[i]);
+            bounds.setHigh(i, box.max()[i]);
+        }
+        return bounds;
+    }
+
+    void ProblemFactory::setChecking(const ob::SpaceInformationPtr &si) const
+    {
+        const ProblemConfig &problem = config_.problem;
+        if (!map_)
+        {
+            checkCollisions(si, problem, world_, *robot_);
+            return;
+        }
+        maps::setMapChecking(si, map_, footprint_);
+        if (problem.motionValidation && problem.motionValidation->value == collision::MotionValidation::Discrete)
+        {
+            si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
+        }
     }
 
     og::SimpleSetupPtr ProblemFactory::createArm(const ContextConfig &context) const
@@ -379,17 +448,24 @@ namespace ompl_mfa::benchmark
         {
             return createArm(context);
         }
-        const ob::RealVectorBounds bounds = boundsOf(config_, *world_);
-        const ob::StateSpacePtr space = makeStateSpace(problem, bounds);
+        const ob::RealVectorBounds positions = bounds();
+        const ob::StateSpacePtr space = makeStateSpace(problem, positions);
         space->setName(spaceName(problem.space));
         setResolution(*space, context);
 
         auto setup = std::make_shared<og::SimpleSetup>(space);
         const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
-        checkCollisions(si, problem, world_, *robot_);
-        if (const auto objective = makeObjective(si, problem))
+        setChecking(si);
+        try
         {
-            setup->setOptimizationObjective(objective);
+            if (const auto objective = makeObjective(si, problem))
+            {
+                setup->setOptimizationObjective(objective);
+            }
+        }
+        catch (const InputError &error)
+        {
+            failAt(problem.objectiveOrigin, error.what());
         }
         si->setup();
         setProjection(*space, context);
@@ -398,8 +474,8 @@ namespace ompl_mfa::benchmark
 
         const ob::ScopedState<> start = makeState(space, problem.space, problem.start);
         const ob::ScopedState<> goal = makeState(space, problem.space, problem.goal);
-        requireValid(*setup, start, "start", problem.start, problem, bounds);
-        requireValid(*setup, goal, "goal", problem.goal, problem, bounds);
+        requireValid(*setup, start, "start", problem.start, problem, positions, map_.get());
+        requireValid(*setup, goal, "goal", problem.goal, problem, positions, map_.get());
         setup->setStartAndGoalStates(start, goal, problem.threshold);
         return setup;
     }

@@ -40,6 +40,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@
 #include "cli/NumberOption.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
+#include "ompl_mfa/benchmark/ResultsDatabase.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::cli
@@ -71,6 +73,7 @@ namespace ompl_mfa::cli
             std::string config;
             std::string output;
             std::string shard;
+            std::string database;
             benchmark::CampaignOptions campaign;
             bool quiet{false};
             bool json{false};
@@ -89,6 +92,34 @@ namespace ompl_mfa::cli
             std::vector<double> simplifiedCosts;
         };
 
+        /** \brief A run of a campaign over a set of problems. */
+        struct SetRun
+        {
+            std::string problem;
+            bool isSolved{false};
+            /** \brief Seconds, and costs; infinite if there is no exact solution. */
+            double firstSolution{INFINITY};
+            double cost{INFINITY};
+            /** \brief Of the scenario. */
+            double octileLength{NAN};
+        };
+
+        /** \brief All runs of one planner over a set of problems. Quantiles are infinite where they are of runs without
+            a solution. */
+        struct SetSummary
+        {
+            std::string name;
+            std::size_t runs{0};
+            std::size_t solved{0};
+            double firstSolutionMedian{NAN};
+            double firstSolution95{NAN};
+            /** \brief The cost relative to the least of any run of any planner on the same problem, and to the octile
+                length. */
+            double toBestMedian{NAN};
+            double toBest95{NAN};
+            double toOctileMedian{NAN};
+        };
+
         std::string propertyOf(const benchmark::LogProperties &run, const std::string &property)
         {
             const auto found = run.find(property);
@@ -104,13 +135,108 @@ namespace ompl_mfa::cli
             }
         }
 
+        double numberOf(const benchmark::LogProperties &run, const std::string &property, double missing)
+        {
+            double value = 0.0;
+            return text::readNumber(propertyOf(run, property), value) && std::isfinite(value) ? value : missing;
+        }
+
+        SetRun setRunOf(const benchmark::LogProperties &run)
+        {
+            SetRun result;
+            result.problem = propertyOf(run, "problem INTEGER");
+            result.isSolved = propertyOf(run, "solved BOOLEAN") == "1";
+            result.octileLength = numberOf(run, "octile length REAL", NAN);
+            if (result.isSolved)
+            {
+                result.firstSolution = numberOf(run, "time to first solution REAL", INFINITY);
+                result.cost = numberOf(run, "path cost REAL", INFINITY);
+            }
+            return result;
+        }
+
+        /** \brief The smallest value that at least this share of the values does not exceed. */
+        double quantile(std::vector<double> values, double share)
+        {
+            if (values.empty())
+            {
+                return NAN;
+            }
+            std::sort(values.begin(), values.end());
+            const double rank = std::ceil(share * static_cast<double>(values.size()));
+            return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
+        }
+
+        SetSummary summarizeSet(const std::string &name, const std::vector<SetRun> &runs,
+                                const std::map<std::string, double> &best)
+        {
+            constexpr double MOST = 0.95;
+            SetSummary summary;
+            summary.name = name;
+            summary.runs = runs.size();
+            std::vector<double> times;
+            std::vector<double> toBest;
+            std::vector<double> toOctile;
+            for (const SetRun &run : runs)
+            {
+                summary.solved += run.isSolved ? 1 : 0;
+                times.push_back(run.firstSolution);
+                const double least = best.at(run.problem);
+                // start and goal may be the same cell
+                toBest.push_back(run.cost == least && run.isSolved ? 1.0 : run.cost / least);
+                if (run.octileLength > 0.0)
+                {
+                    toOctile.push_back(run.cost / run.octileLength);
+                }
+            }
+            summary.firstSolutionMedian = quantile(times, 0.5);
+            summary.firstSolution95 = quantile(times, MOST);
+            summary.toBestMedian = quantile(toBest, 0.5);
+            summary.toBest95 = quantile(toBest, MOST);
+            summary.toOctileMedian = quantile(toOctile, 0.5);
+            return summary;
+        }
+
+        std::string nameOf(const benchmark::PlannerLog &planner)
+        {
+            return planner.name.substr(planner.name.find('_') + 1);
+        }
+
+        /** \brief Empty for a campaign of a single problem. */
+        std::vector<SetSummary> summarizeSets(const benchmark::BenchmarkLog &log)
+        {
+            std::vector<std::vector<SetRun>> runs;
+            std::map<std::string, double> best;
+            for (const auto &planner : log.planners)
+            {
+                runs.emplace_back();
+                for (const auto &run : planner.runs)
+                {
+                    runs.back().push_back(setRunOf(run));
+                    const SetRun &made = runs.back().back();
+                    double &least = best.try_emplace(made.problem, INFINITY).first->second;
+                    least = std::min(least, made.cost);
+                }
+            }
+            if (best.empty() || best.begin()->first.empty())
+            {
+                return {};
+            }
+            std::vector<SetSummary> summaries;
+            for (std::size_t i = 0; i < runs.size(); ++i)
+            {
+                summaries.push_back(summarizeSet(nameOf(log.planners[i]), runs[i], best));
+            }
+            return summaries;
+        }
+
         std::vector<PlannerSummary> summarize(const benchmark::BenchmarkLog &log)
         {
             std::vector<PlannerSummary> summaries;
             for (const auto &planner : log.planners)
             {
                 PlannerSummary summary;
-                summary.name = planner.name.substr(planner.name.find('_') + 1);
+                summary.name = nameOf(planner);
                 for (const auto &run : planner.runs)
                 {
                     ++summary.runs;
@@ -162,7 +288,36 @@ namespace ompl_mfa::cli
             }
         }
 
-        void printJson(const std::string &log, const std::vector<PlannerSummary> &summaries)
+        void printSetTable(const std::vector<SetSummary> &summaries)
+        {
+            std::printf("%-20s %6s %9s %16s %12s %14s %12s %14s\n", "planner", "runs", "solved %", "first solution s",
+                        "95 % s", "cost / best", "95 %", "cost / octile");
+            for (const auto &summary : summaries)
+            {
+                const double share =
+                    summary.runs == 0 ? NAN
+                                      : 100.0 * static_cast<double>(summary.solved) / static_cast<double>(summary.runs);
+                std::printf("%-20s %6zu %9s %16s %12s %14s %12s %14s\n", summary.name.c_str(), summary.runs,
+                            cell(share).c_str(), cell(summary.firstSolutionMedian).c_str(),
+                            cell(summary.firstSolution95).c_str(), cell(summary.toBestMedian).c_str(),
+                            cell(summary.toBest95).c_str(), cell(summary.toOctileMedian).c_str());
+            }
+        }
+
+        void addSets(const std::vector<SetSummary> &sets, nlohmann::json &planners)
+        {
+            for (std::size_t i = 0; i < sets.size(); ++i)
+            {
+                planners[i]["first_solution_set_median"] = finiteOrNull(sets[i].firstSolutionMedian);
+                planners[i]["first_solution_set_95"] = finiteOrNull(sets[i].firstSolution95);
+                planners[i]["cost_to_best_median"] = finiteOrNull(sets[i].toBestMedian);
+                planners[i]["cost_to_best_95"] = finiteOrNull(sets[i].toBest95);
+                planners[i]["cost_to_octile_median"] = finiteOrNull(sets[i].toOctileMedian);
+            }
+        }
+
+        void printJson(const std::string &log, const std::vector<PlannerSummary> &summaries,
+                       const std::vector<SetSummary> &sets)
         {
             nlohmann::json document{{"log", log}, {"planners", nlohmann::json::array()}};
             for (const auto &summary : summaries)
@@ -175,6 +330,7 @@ namespace ompl_mfa::cli
                                                 {"cost_mean", finiteOrNull(mean(summary.costs))},
                                                 {"simplified_cost_mean", finiteOrNull(mean(summary.simplifiedCosts))}});
             }
+            addSets(sets, document["planners"]);
             printDocument(document);
         }
 
@@ -204,6 +360,11 @@ namespace ompl_mfa::cli
             const benchmark::BenchmarkConfig config = benchmark::readBenchmarkConfig(options.config);
             const benchmark::Campaign campaign = benchmark::makeCampaign(config);
             campaign.validate();
+            const auto database = benchmark::writtenPath(options.database, "--database " + options.database);
+            if (!database.empty())
+            {
+                benchmark::prepareDatabase(database);
+            }
             options.campaign.log = options.output.empty()
                                        ? benchmark::logFile(config, options.campaign.shard, options.campaign.shards)
                                        : benchmark::writtenPath(options.output, "--output " + options.output);
@@ -211,10 +372,19 @@ namespace ompl_mfa::cli
             options.campaign.terminal = isatty(STDERR_FILENO) != 0;
 
             const benchmark::CampaignResult result = campaign.run(options.campaign);
+            if (!database.empty())
+            {
+                benchmark::addToDatabase(database, result.log);
+            }
             const auto summaries = summarize(result.log);
+            const auto sets = summarizeSets(result.log);
             if (options.json)
             {
-                printJson(options.campaign.log.string(), summaries);
+                printJson(options.campaign.log.string(), summaries, sets);
+            }
+            else if (!sets.empty())
+            {
+                printSetTable(sets);
             }
             else
             {
@@ -235,6 +405,8 @@ namespace ompl_mfa::cli
         auto *command = app.add_subcommand("benchmark", "Run the planners of an OMPL benchmark config and write a log");
         command->add_option("config", options->config, "OMPL benchmark config (.cfg)")->required();
         command->add_option("--output", options->output, "The log; without it NAME.log where benchmark.output says");
+        command->add_option("--database", options->database,
+                            "Add the runs to this SQLite database for Planner Arena, which may hold other campaigns");
         command->add_option("--jobs", options->campaign.jobs, "Runs at the same time")
             ->check(CLI::Range(1, 4096))
             ->capture_default_str();

@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 
@@ -331,6 +332,31 @@ namespace ompl_mfa::cli
         cairo_arc(context, center.x(), center.y(), radius, 0.0, 2.0 * PI);
         cairo_close_path(context);
         paint(style);
+    }
+
+    void Canvas::drawRaster(const Raster &raster)
+    {
+        cairo_t *context = sheet_->context.get();
+        const Surface image(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(raster.width),
+                                                       static_cast<int>(raster.height)),
+                            &cairo_surface_destroy);
+        require(cairo_surface_status(image.get()));
+        unsigned char *data = cairo_image_surface_get_data(image.get());
+        const int stride = cairo_image_surface_get_stride(image.get());
+        for (std::size_t row = 0; row < raster.height; ++row)
+        {
+            std::memcpy(data + row * static_cast<std::size_t>(stride), &raster.colors[row * raster.width],
+                        raster.width * sizeof(unsigned int));
+        }
+        cairo_surface_mark_dirty(image.get());
+        const auto &placed = raster.toAxes.matrix();
+        const cairo_matrix_t matrix{placed(0, 0), placed(1, 0), placed(0, 1), placed(1, 1), placed(0, 2), placed(1, 2)};
+        cairo_save(context);
+        cairo_transform(context, &matrix);
+        cairo_set_source_surface(context, image.get(), 0.0, 0.0);
+        cairo_pattern_set_filter(cairo_get_source(context), CAIRO_FILTER_NEAREST);
+        cairo_paint(context);
+        cairo_restore(context);
     }
 
     void Canvas::drawText(const std::string &words, const Eigen::Vector2d &at, double size, Anchor anchor, bool upwards)

@@ -43,6 +43,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace ompl_mfa::cli
 {
@@ -64,6 +65,17 @@ namespace ompl_mfa::cli
         double strokeWidth{1.0};
         std::optional<unsigned int> fill;
         double opacity{1.0};
+    };
+
+    /** \brief Squares of one colour each, 0xRRGGBB, in rows along x: square (i, j) is that from (i, j) to (i + 1, j +
+       1) in its own coordinates. */
+    struct Raster
+    {
+        std::size_t width{0};
+        std::size_t height{0};
+        std::vector<unsigned int> colors;
+        /** \brief From its own coordinates to those of what it is drawn on. */
+        Eigen::Affine2d toAxes{Eigen::Affine2d::Identity()};
     };
 
     /** \brief Which point of a text lies at its position. */
@@ -98,6 +110,9 @@ namespace ompl_mfa::cli
         void drawLines(const std::vector<Points> &lines, const Style &style);
         void drawPolygon(const Points &corners, const Style &style);
         void drawCircle(const Eigen::Vector2d &center, double radius, const Style &style);
+
+        /** \brief Draws \e raster where its toAxes, in pixels, says. */
+        void drawRaster(const Raster &raster);
 
         /** \brief Draws one line of text with its baseline at \e at, rotated to run from bottom to top if \e upwards.
             Invalid UTF-8 is left out. */

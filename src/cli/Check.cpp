@@ -225,6 +225,33 @@ namespace ompl_mfa::cli
                     {"checked_obstacle_pairs", arm.collision().checkedObstacles().size()}};
         }
 
+        nlohmann::json describeMap(const ProblemFactory &factory)
+        {
+            if (factory.map() == nullptr)
+            {
+                return {};
+            }
+            const maps::GridMap &map = factory.map()->map();
+            const auto count = [&map](maps::Cell cell)
+            { return std::count(map.cells().begin(), map.cells().end(), cell); };
+            return {{"width", map.width()},
+                    {"height", map.height()},
+                    {"resolution", map.frame().resolution},
+                    {"free_cells", count(maps::Cell::Free)},
+                    {"occupied_cells", count(maps::Cell::Occupied)},
+                    {"unknown_cells", count(maps::Cell::Unknown)}};
+        }
+
+        nlohmann::json worldBox(const ProblemFactory &factory)
+        {
+            if (factory.map() != nullptr)
+            {
+                const Eigen::AlignedBox2d box = factory.map()->map().bounds();
+                return {{"min", {box.min().x(), box.min().y(), 0.0}}, {"max", {box.max().x(), box.max().y(), 0.0}}};
+            }
+            return factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds());
+        }
+
         nlohmann::json describe(const ProblemFactory &factory, const ompl::geometric::SimpleSetup &setup)
         {
             const BenchmarkConfig &config = factory.config();
@@ -240,8 +267,9 @@ namespace ompl_mfa::cli
                 {"world", config.problem.world ? nlohmann::json(config.problem.world->value) : nlohmann::json()},
                 {"obstacles", factory.world().objects().size()},
                 {"robot", config.problem.robot.value},
-                {"world_box",
-                 factory.world().objects().empty() ? nlohmann::json() : describeBox(factory.world().bounds())},
+                {"world_box", worldBox(factory)},
+                {"map", describeMap(factory)},
+                {"problems", std::max<std::size_t>(1, factory.problems().size())},
                 {"world_skipped_faces", factory.world().skippedFaces()},
                 {"state_check_time", stateCheckTime(*setup.getSpaceInformation())},
                 {"warnings", warnings(factory)},
@@ -287,6 +315,18 @@ namespace ompl_mfa::cli
                    " of links and obstacles; " + number("attached_objects") + " attached objects\n";
         }
 
+        std::string obstaclesText(const nlohmann::json &description)
+        {
+            const nlohmann::json &map = description["map"];
+            if (map.is_null())
+            {
+                return std::to_string(description["obstacles"].get<std::size_t>()) + " obstacles";
+            }
+            const auto number = [&map](const char *key) { return text::numberText(map[key].get<double>()); };
+            return number("width") + " x " + number("height") + " cells of " + number("resolution") + ", " +
+                   number("occupied_cells") + " occupied, " + number("unknown_cells") + " unknown";
+        }
+
         void printText(const nlohmann::json &description)
         {
             const auto &motion = description["straight_motion"];
@@ -296,13 +336,14 @@ namespace ompl_mfa::cli
                       << "space      " << description["space"].get<std::string>() << "\n"
                       << "world      "
                       << (description["world"].is_null() ? "empty" : oneLine(description["world"].get<std::string>()))
-                      << ", " << description["obstacles"] << " obstacles"
-                      << skippedText(description["world_skipped_faces"]) << "\n"
+                      << ", " << obstaclesText(description) << skippedText(description["world_skipped_faces"]) << "\n"
                       << "world box  " << boxText(description["world_box"]) << "\n"
                       << "robot      " << oneLine(description["robot"].get<std::string>()) << robotText(description)
-                      << "start      valid\n"
-                      << "goal       " << (description["goal_valid"].get<bool>() ? "valid" : "no state found yet")
-                      << "\n"
+                      << (description["problems"] == 1
+                              ? std::string("start      valid\ngoal       ") +
+                                    (description["goal_valid"].get<bool>() ? "valid\n" : "no state found yet\n")
+                              : "problems   " + std::to_string(description["problems"].get<std::size_t>()) +
+                                    ", start and goal of each valid\n")
                       << "straight   ";
             if (motion["free"].get<bool>())
             {
@@ -322,8 +363,14 @@ namespace ompl_mfa::cli
 
         void check(const Options &options)
         {
-            const ProblemFactory factory(readProblem(options.file, options.robot));
+            ProblemFactory factory(readProblem(options.file, options.robot));
             benchmark::setRandomSeed(factory.config().benchmark.seed);
+            // the last one first, so that the first one remains selected
+            for (std::size_t number = factory.problems().size(); number-- > 0;)
+            {
+                factory.select(number);
+                factory.create();
+            }
             const auto setup = factory.create();
             checkPlanners(factory);
             const nlohmann::json description = describe(factory, *setup);

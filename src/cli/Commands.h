@@ -47,12 +47,14 @@
     result. */
 namespace ompl_mfa::cli
 {
+    void addAnimateCommand(CLI::App &app);
     void addBenchmarkCommand(CLI::App &app);
     void addCheckCommand(CLI::App &app);
     void addMergeCommand(CLI::App &app);
     void addOptimizeCommand(CLI::App &app);
     void addPlanCommand(CLI::App &app);
     void addPlannersCommand(CLI::App &app);
+    void addReportCommand(CLI::App &app);
 }  // namespace ompl_mfa::cli
 
 #endif

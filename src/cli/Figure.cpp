@@ -226,6 +226,16 @@ namespace ompl_mfa::cli
         }
     }
 
+    void Axes::addRaster(const Raster &raster)
+    {
+        shapes_.push_back({Kind::Raster, {}, 0.0, {}, std::make_shared<Raster>(raster)});
+    }
+
+    void Axes::addLegendEntry(const LegendEntry &entry)
+    {
+        legend_.push_back(entry);
+    }
+
     const std::vector<LegendEntry> &Axes::legend() const
     {
         return legend_;
@@ -295,7 +305,8 @@ namespace ompl_mfa::cli
     Eigen::Vector2d Axes::toPixels(const Eigen::Vector2d &point, const Layout &layout) const
     {
         const Eigen::Vector2d part = (point - lower_).cwiseQuotient(upper_ - lower_);
-        return layout.corner + Eigen::Vector2d(part.x() * layout.size.x(), (1.0 - part.y()) * layout.size.y());
+        const double down = yDown_ ? part.y() : 1.0 - part.y();
+        return layout.corner + Eigen::Vector2d(part.x() * layout.size.x(), down * layout.size.y());
     }
 
     void Axes::drawShape(Canvas &canvas, const Shape &shape, const Layout &layout) const
@@ -309,7 +320,18 @@ namespace ompl_mfa::cli
                 lines.back().push_back(toPixels(point, layout));
             }
         }
-        if (shape.kind == Kind::Lines)
+        if (shape.kind == Kind::Raster)
+        {
+            Raster placed = *shape.raster;
+            Eigen::Affine2d toPixel = Eigen::Affine2d::Identity();
+            const Eigen::Vector2d origin = toPixels({0.0, 0.0}, layout);
+            toPixel.matrix().col(0).head<2>() = toPixels({1.0, 0.0}, layout) - origin;
+            toPixel.matrix().col(1).head<2>() = toPixels({0.0, 1.0}, layout) - origin;
+            toPixel.matrix().col(2).head<2>() = origin;
+            placed.toAxes = toPixel * placed.toAxes;
+            canvas.drawRaster(placed);
+        }
+        else if (shape.kind == Kind::Lines)
         {
             canvas.drawLines(lines, shape.style);
         }

@@ -37,6 +37,7 @@
 #ifndef OMPL_MFA_CLI_FIGURE_
 #define OMPL_MFA_CLI_FIGURE_
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,6 +87,17 @@ namespace ompl_mfa::cli
         /** \brief Dots of \e radius pixels. */
         void addMarkers(const Points &points, double radius, const Style &style, const std::string &legend = "");
 
+        /** \brief The raster's toAxes is in units of the axes. */
+        void addRaster(const Raster &raster);
+
+        void addLegendEntry(const LegendEntry &entry);
+
+        /** \brief Makes y point down. */
+        void turnYDown()
+        {
+            yDown_ = true;
+        }
+
         const std::vector<LegendEntry> &legend() const;
 
     private:
@@ -96,7 +108,8 @@ namespace ompl_mfa::cli
             Lines,
             Polygon,
             Circle,
-            Markers
+            Markers,
+            Raster
         };
 
         struct Shape
@@ -105,6 +118,7 @@ namespace ompl_mfa::cli
             std::vector<Points> points;
             double radius;
             Style style;
+            std::shared_ptr<const cli::Raster> raster{};
         };
 
         struct Tick
@@ -140,6 +154,7 @@ namespace ompl_mfa::cli
         Eigen::Vector2d upper_;
         std::vector<Shape> shapes_;
         std::vector<LegendEntry> legend_;
+        bool yDown_{false};
     };
 
     /** \brief A picture with one or more plots side by side and one legend below them, in which equal entries appear

@@ -47,6 +47,7 @@
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "ompl_mfa/benchmark/BenchmarkLog.h"
+#include "ompl_mfa/benchmark/ResultsDatabase.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::cli
@@ -57,6 +58,7 @@ namespace ompl_mfa::cli
         {
             std::vector<std::string> parts;
             std::string output;
+            std::string database;
             bool allowMissing{false};
             bool json{false};
         };
@@ -78,6 +80,11 @@ namespace ompl_mfa::cli
             options.output = benchmark::writtenPath(options.output, "--output " + options.output).string();
             const benchmark::BenchmarkLog merged =
                 benchmark::mergeCampaign(options.parts, options.output, options.allowMissing);
+            if (!options.database.empty())
+            {
+                benchmark::addToDatabase(benchmark::writtenPath(options.database, "--database " + options.database),
+                                         merged);
+            }
             if (options.json)
             {
                 printJson(options, merged);
@@ -103,6 +110,7 @@ namespace ompl_mfa::cli
                          "Logs of 'ompl_mfa benchmark --shard I/N', with their journals, or the journals")
             ->required();
         command->add_option("--output", options->output, "The log that is written, with its journal")->required();
+        command->add_option("--database", options->database, "Add the runs to this SQLite database for Planner Arena");
         command->add_flag("--allow-missing", options->allowMissing, "Join the parts even when runs are missing");
         command->add_flag("--json", options->json, "Print one JSON document");
         command->callback([options] { merge(*options); });

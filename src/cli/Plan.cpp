@@ -41,10 +41,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <iostream>
 #include <limits>
-#include <locale>
 #include <memory>
 #include <string>
 #include <vector>
@@ -59,6 +57,8 @@
 #include "cli/Commands.h"
 #include "cli/JsonDocument.h"
 #include "cli/NumberOption.h"
+#include "cli/PathFile.h"
+#include "cli/PlannerChoice.h"
 #include "cli/ProblemPicture.h"
 #include "cli/RobotOptions.h"
 #include "ompl_mfa/InputError.h"
@@ -75,11 +75,11 @@ namespace ompl_mfa::cli
     {
         namespace ob = ompl::base;
         namespace og = ompl::geometric;
-        using benchmark::BenchmarkConfig;
         using benchmark::PlannerSpec;
         using benchmark::ProblemFactory;
 
         const char *const ACCEPTED_TIME = "a number above 0 and at most 1e9 (seconds)";
+        const char *const ACCEPTED_SPACING = "a number above 0 (world units)";
 
         struct Options
         {
@@ -93,6 +93,8 @@ namespace ompl_mfa::cli
             bool simplify{false};
             std::string picture;
             std::string path;
+            double spacing{0.0};
+            std::size_t problem{0};
             bool json{false};
         };
 
@@ -114,28 +116,6 @@ namespace ompl_mfa::cli
             std::uint64_t checkedStates{0};
             std::uint64_t checkedMotions{0};
         };
-
-        /** \brief The instance in the config with this name, or else with this type, or else a new one of this type. */
-        PlannerSpec findSpec(const BenchmarkConfig &config, const std::string &planner)
-        {
-            for (const auto &spec : config.planners)
-            {
-                if (spec.name == planner)
-                {
-                    return spec;
-                }
-            }
-            const std::string type = lowerCase(planner);
-            for (const auto &spec : config.planners)
-            {
-                if (spec.type == type)
-                {
-                    return spec;
-                }
-            }
-            benchmark::requireKnownPlanner(type, "--planner");
-            return {type, benchmark::plannerTitle(type), "--planner", {}, {}};
-        }
 
         void overrideParameter(PlannerSpec &spec, const std::string &text)
         {
@@ -269,36 +249,78 @@ namespace ompl_mfa::cli
             }
         }
 
-        /** \brief As a timed trajectory of an arm, or one state per line. */
-        void writePath(const ProblemFactory &factory, const og::PathGeometric &path, const std::string &file)
+        /** \brief Writes the path of an arm as a timed trajectory if the file is .csv or .yaml; false otherwise. */
+        bool writeTrajectory(const ProblemFactory &factory, const og::PathGeometric &path, const std::string &file)
         {
             const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
+            const bool csv = extension == ".csv";
+            if (factory.arm() == nullptr || !(csv || extension == ".yaml" || extension == ".yml"))
+            {
+                return false;
+            }
             std::ofstream out(file);
             out.imbue(std::locale::classic());
-            if (factory.arm() != nullptr && extension == ".csv")
-            {
-                robots::writeCsv(robots::timedPath(*factory.arm(), path), out);
-            }
-            else if (factory.arm() != nullptr && (extension == ".yaml" || extension == ".yml"))
-            {
-                robots::writeYaml(robots::timedPath(*factory.arm(), path), out);
-            }
-            else
-            {
-                out << std::setprecision(std::numeric_limits<double>::max_digits10);
-                path.printAsMatrix(out);
-            }
+            const auto trajectory = robots::timedPath(*factory.arm(), path);
+            csv ? robots::writeCsv(trajectory, out) : robots::writeYaml(trajectory, out);
             out.close();
             if (!out)
             {
                 throw InputError("--path " + file + ": cannot be written");
             }
+            return true;
         }
 
-        void draw(const ProblemFactory &factory, const PlanRun &run, const Result &result, const Options &options)
+        /** \brief The problem of the scenario that the options name, or its only one; null if there is no scenario. */
+        const maps::ScenarioProblem *selectProblem(ProblemFactory &factory, const Options &options, bool isGiven)
+        {
+            const auto &problems = factory.problems();
+            const std::string option = "--problem " + std::to_string(options.problem);
+            if (problems.empty())
+            {
+                if (isGiven)
+                {
+                    throw InputError(option + ": " + options.file + " is a single problem, without a scenario");
+                }
+                return nullptr;
+            }
+            const std::string accepted = "expected one of " + std::to_string(problems.front().index) + " to " +
+                                         std::to_string(problems.back().index);
+            if (!isGiven && problems.size() > 1)
+            {
+                throw InputError(options.file + ": stands for " + std::to_string(problems.size()) +
+                                 " problems; give one of them by --problem, " + accepted);
+            }
+            const std::size_t first = problems.front().index;
+            const std::size_t number = isGiven ? options.problem - first : 0;
+            if (isGiven && (options.problem < first || number >= problems.size()))
+            {
+                throw InputError(option + ": " + accepted);
+            }
+            factory.select(number);
+            return &problems[number];
+        }
+
+        /** \brief Where a path is to be written with states at a spacing that is not given: a cell, or a hundredth of
+            the path. */
+        double usualSpacing(const ProblemFactory &factory, const og::PathGeometric &path)
+        {
+            constexpr double PARTS = 100.0;
+            const double spacing =
+                factory.map() != nullptr ? factory.map()->map().frame().resolution : path.length() / PARTS;
+            return spacing > 0.0 ? spacing : 1.0;
+        }
+
+        std::string titleOf(const ProblemFactory &factory, const maps::ScenarioProblem *problem)
+        {
+            return factory.config().problem.name +
+                   (problem != nullptr ? ", problem " + std::to_string(problem->index) : std::string());
+        }
+
+        void draw(const ProblemFactory &factory, const PlanRun &run, const Result &result, const Options &options,
+                  const std::string &title)
         {
             PictureContent content;
-            content.title = factory.config().problem.name + ", " + run.planner().getName();
+            content.title = title + ", " + run.planner().getName();
             if (const auto *mfa = dynamic_cast<const MFA *>(&run.planner()))
             {
                 content.swarm = mfa->getSwarmPaths();
@@ -318,35 +340,37 @@ namespace ompl_mfa::cli
         }
 
         void printJson(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options,
-                       const Result &result)
+                       const Result &result, const maps::ScenarioProblem *problem)
         {
-            const nlohmann::json document = {{"problem", factory.config().problem.name},
-                                             {"planner", spec.type},
-                                             {"name", spec.name},
-                                             {"seed", options.seed},
-                                             {"status", result.status},
-                                             {"cost", finiteOrNull(result.cost)},
-                                             {"unsimplified_cost", finiteOrNull(result.unsimplifiedCost)},
-                                             {"length", finiteOrNull(result.length)},
-                                             {"valid", result.valid},
-                                             {"time_to_first_solution", finiteOrNull(result.timeToFirstSolution)},
-                                             {"time", result.time},
-                                             {"simplification_time", result.simplificationTime},
-                                             {"states", result.states},
-                                             {"evaluations", count(result.evaluations)},
-                                             {"iterations", count(result.iterations)},
-                                             {"checked_states", result.checkedStates},
-                                             {"checked_motions", result.checkedMotions}};
+            const nlohmann::json document = {
+                {"problem", factory.config().problem.name},
+                {"scenario_index", problem != nullptr ? nlohmann::json(problem->index) : nlohmann::json()},
+                {"octile_length", problem != nullptr ? nlohmann::json(problem->octileLength) : nlohmann::json()},
+                {"planner", spec.type},
+                {"name", spec.name},
+                {"seed", options.seed},
+                {"status", result.status},
+                {"cost", finiteOrNull(result.cost)},
+                {"unsimplified_cost", finiteOrNull(result.unsimplifiedCost)},
+                {"length", finiteOrNull(result.length)},
+                {"valid", result.valid},
+                {"time_to_first_solution", finiteOrNull(result.timeToFirstSolution)},
+                {"time", result.time},
+                {"simplification_time", result.simplificationTime},
+                {"states", result.states},
+                {"evaluations", count(result.evaluations)},
+                {"iterations", count(result.iterations)},
+                {"checked_states", result.checkedStates},
+                {"checked_motions", result.checkedMotions}};
             printDocument(document);
         }
 
-        void printText(const ProblemFactory &factory, const PlannerSpec &spec, const Options &options,
-                       const Result &result)
+        void printText(const PlannerSpec &spec, const Options &options, const Result &result, const std::string &title)
         {
             const auto orNone = [](double value, const std::string &unit)
             { return std::isfinite(value) ? text::numberText(value, 7) + unit : std::string("none"); };
             const text::PlainNumbers plainNumbers(std::cout);
-            std::cout << "problem                  " << factory.config().problem.name << "\n"
+            std::cout << "problem                  " << title << "\n"
                       << "planner                  " << spec.name << ", seed " << options.seed << "\n"
                       << "status                   " << result.status << "\n"
                       << "cost                     " << orNone(result.cost, "");
@@ -363,21 +387,36 @@ namespace ompl_mfa::cli
                       << std::endl;
         }
 
-        void plan(Options options, bool timeGiven, bool seedGiven)
+        /** \brief Which options were given. */
+        struct Presence
         {
-            const ProblemFactory factory(readProblem(options.file, options.robot));
+            bool time;
+            bool seed;
+            bool spacing;
+            bool problem;
+        };
+
+        void plan(Options options, const Presence &given)
+        {
+            ProblemFactory factory(readProblem(options.file, options.robot));
+            const maps::ScenarioProblem *problem = selectProblem(factory, options, given.problem);
+            const std::string title = titleOf(factory, problem);
             const benchmark::CampaignConfig &benchmark = factory.config().benchmark;
-            if (!seedGiven)
+            if (!given.seed)
             {
                 options.seed = static_cast<std::uint32_t>(benchmark.seed);
             }
-            if (!timeGiven)
+            if (!given.time)
             {
                 options.time = benchmark.timeLimit;
             }
             if (!(options.time > 0.0 && options.time <= benchmark::LONGEST_TIME_LIMIT))
             {
                 throw InputError("--time " + text::numberText(options.time) + ": expected " + ACCEPTED_TIME);
+            }
+            if (given.spacing && !(options.spacing > 0.0 && std::isfinite(options.spacing)))
+            {
+                throw InputError("--spacing " + text::numberText(options.spacing) + ": expected " + ACCEPTED_SPACING);
             }
             options.picture = benchmark::writtenPath(options.picture, "--picture " + options.picture).string();
             options.path = benchmark::writtenPath(options.path, "--path " + options.path).string();
@@ -391,7 +430,7 @@ namespace ompl_mfa::cli
             }
             requireWritable("--picture", options.picture);
             requireWritable("--path", options.path);
-            PlannerSpec spec = findSpec(factory.config(), options.planner);
+            PlannerSpec spec = choosePlanner(factory.config(), options.planner);
             for (const auto &parameter : options.parameters)
             {
                 overrideParameter(spec, parameter);
@@ -399,22 +438,27 @@ namespace ompl_mfa::cli
 
             benchmark::setRandomSeed(options.seed);
             PlanRun run(factory, spec, options);
+            requirePathFormat(pathFormat(options.path), *run.setup().getStateSpace(), options.path);
             const Result result = run.solve();
             if (!options.path.empty() && run.setup().haveSolutionPath())
             {
-                writePath(factory, run.setup().getSolutionPath(), options.path);
+                const og::PathGeometric &path = run.setup().getSolutionPath();
+                if (!writeTrajectory(factory, path, options.path))
+                {
+                    writePath(path, options.path, given.spacing ? options.spacing : usualSpacing(factory, path));
+                }
             }
             if (!options.picture.empty())
             {
-                draw(factory, run, result, options);
+                draw(factory, run, result, options, title);
             }
             if (options.json)
             {
-                printJson(factory, spec, options, result);
+                printJson(factory, spec, options, result, problem);
             }
             else
             {
-                printText(factory, spec, options, result);
+                printText(spec, options, result, title);
             }
             if (!result.exact)
             {
@@ -443,10 +487,19 @@ namespace ompl_mfa::cli
         command->add_option("--parameter", options->parameters, "NAME=VALUE of the planner, overriding the config");
         command->add_flag("--simplify", options->simplify, "Simplify the path as OMPL's SimpleSetup does");
         command->add_option("--picture", options->picture, "Draw world and paths in this .svg, .png or .pdf file");
-        command->add_option(
-            "--path", options->path,
-            "Write the path to this file, a state a line; that of an arm as a timed trajectory if it is .csv or .yaml");
+        command->add_option("--path", options->path,
+                            "Write the path to this file: .csv (x,y,yaw), .yaml (as nav_msgs/Path), of an arm a timed "
+                            "trajectory, or else a state a line");
+        auto *spacing = addNumberOption(*command, "--spacing", options->spacing,
+                                        "Largest distance between the states of a .csv or .yaml path; a cell of the "
+                                        "map or a hundredth of the path if not given",
+                                        ACCEPTED_SPACING);
+        auto *problem = command->add_option("--problem", options->problem,
+                                            "Index of a problem of the config's scenario, which may have several");
         command->add_flag("--json", options->json, "Print one JSON document");
-        command->callback([options, time, seed] { plan(*options, time->count() > 0, seed->count() > 0); });
+        command->callback(
+            [options, time, seed, spacing, problem] {
+                plan(*options, {time->count() > 0, seed->count() > 0, spacing->count() > 0, problem->count() > 0});
+            });
     }
 }  // namespace ompl_mfa::cli

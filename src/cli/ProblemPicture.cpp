@@ -47,6 +47,7 @@
 
 #include "benchmark/ProblemSpace.h"
 #include "cli/Figure.h"
+#include "cli/MapPicture.h"
 #include "ompl_mfa/collision/PlanarOutline.h"
 #include "ompl_mfa/collision/StatePlacement.h"
 
@@ -111,6 +112,10 @@ namespace ompl_mfa::cli
 
             const Axes &paint(const PictureContent &content)
             {
+                if (problem_.map() != nullptr)
+                {
+                    addMap(axes_, *problem_.map(), problem_.footprint());
+                }
                 for (const auto &object : problem_.world().objects())
                 {
                     addOutlines(object, view_.turned, view_.seenThrough ? OBSTACLE_SEEN_THROUGH : OBSTACLE,
@@ -132,32 +137,31 @@ namespace ompl_mfa::cli
             }
 
         private:
-            /* The unit of the world is unknown. */
-            static std::string axisLabel(unsigned int axis)
+            /* The unit of the world is unknown, but for maps. */
+            std::string axisLabel(unsigned int axis) const
             {
-                return std::string(1, "xyz"[axis]) + " (world units)";
+                const maps::ObstacleGrid *map = problem_.map();
+                const std::string unit = map == nullptr ? "world units" : map->map().frame().yDown ? "cells" : "m";
+                return std::string(1, "xyz"[axis]) + " (" + unit + ")";
             }
 
             Axes makeAxes(const std::string &title) const
             {
-                const ob::RealVectorBounds bounds = positionBounds();
-                const Eigen::Vector2d lower(bounds.low[view_.horizontal], bounds.low[view_.vertical]);
-                const Eigen::Vector2d upper(bounds.high[view_.horizontal], bounds.high[view_.vertical]);
-                return Axes(title, axisLabel(view_.horizontal), axisLabel(view_.vertical), lower, upper);
-            }
-
-            ob::RealVectorBounds positionBounds() const
-            {
-                const ob::StateSpace *space = setup_.getStateSpace().get();
-                if (const auto *planar = dynamic_cast<const ob::SE2StateSpace *>(space))
+                const ob::RealVectorBounds bounds = positionBounds(*setup_.getStateSpace());
+                Eigen::Vector2d lower(bounds.low[view_.horizontal], bounds.low[view_.vertical]);
+                Eigen::Vector2d upper(bounds.high[view_.horizontal], bounds.high[view_.vertical]);
+                if (problem_.map() != nullptr && !problem_.config().problem.volume)
                 {
-                    return planar->getBounds();
+                    const Eigen::AlignedBox2d known = knownBox(problem_.map()->map());
+                    lower = known.min();
+                    upper = known.max();
                 }
-                if (const auto *spatial = dynamic_cast<const ob::SE3StateSpace *>(space))
+                Axes axes(title, axisLabel(view_.horizontal), axisLabel(view_.vertical), lower, upper);
+                if (problem_.map() != nullptr && problem_.map()->map().frame().yDown)
                 {
-                    return spatial->getBounds();
+                    axes.turnYDown();
                 }
-                return space->as<ob::RealVectorStateSpace>()->getBounds();
+                return axes;
             }
 
             fcl::Transform3d pose(const ob::State *state) const
@@ -200,9 +204,27 @@ namespace ompl_mfa::cli
 
             void addRobotOutlines(const fcl::Transform3d &placed, const Style &style, const std::string &legend)
             {
+                if (problem_.map() != nullptr)
+                {
+                    addFootprint(placed, style, legend);
+                    return;
+                }
                 for (const auto &shape : problem_.robot().shapes())
                 {
                     addOutlines({"robot", shape.geometry, shape.pose}, placed, style, legend);
+                }
+            }
+
+            void addFootprint(const fcl::Transform3d &placed, const Style &style, const std::string &legend)
+            {
+                Axes::Points outline;
+                for (const Eigen::Vector2d &corner : problem_.footprint().outline())
+                {
+                    outline.emplace_back((placed * fcl::Vector3d(corner.x(), corner.y(), 0.0)).head<2>());
+                }
+                if (outline.size() > 1)
+                {
+                    axes_.addPolygon(outline, style, isInLegend(legend) ? "" : legend);
                 }
             }
 
@@ -261,6 +283,19 @@ namespace ompl_mfa::cli
             Axes axes_;
         };
     }  // namespace
+
+    ob::RealVectorBounds positionBounds(const ob::StateSpace &space)
+    {
+        if (const auto *planar = dynamic_cast<const ob::SE2StateSpace *>(&space))
+        {
+            return planar->getBounds();
+        }
+        if (const auto *spatial = dynamic_cast<const ob::SE3StateSpace *>(&space))
+        {
+            return spatial->getBounds();
+        }
+        return space.as<ob::RealVectorStateSpace>()->getBounds();
+    }
 
     void drawProblem(const benchmark::ProblemFactory &problem, const og::SimpleSetup &setup,
                      const PictureContent &content, const std::string &file)

@@ -41,6 +41,7 @@
 #include <vector>
 
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/RealVectorBounds.h>
 #include <ompl/geometric/PathGeometric.h>
 
 #include "ompl_mfa/benchmark/ProblemFactory.h"
@@ -58,6 +59,9 @@ namespace ompl_mfa::cli
         /** \brief The best path; empty for none. */
         std::vector<ompl::geometric::PathGeometric> best;
     };
+
+    /** \brief The bounds of the positions in the space of a problem. */
+    ompl::base::RealVectorBounds positionBounds(const ompl::base::StateSpace &space);
 
     /** \brief Draws the obstacles, the robot at start, at goal and along the path, and \e content.
 

@@ -36,13 +36,16 @@
 
 #include <cstdio>
 #include <exception>
+#include <initializer_list>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <fcl/config.h>
 #include <ompl/util/Console.h>
 #include <CLI/CLI.hpp>
+#include <Eigen/Core>
 
 #include "cli/Commands.h"
 #include "ompl_mfa/InputError.h"
@@ -132,17 +135,36 @@ namespace
         return report(error.what(), BAD_INPUT);
     }
 
+    /** \brief The version of this program and of what it was built with. */
+    std::string describeVersion()
+    {
+        const auto joined = [](std::initializer_list<int> numbers)
+        {
+            std::string text;
+            for (const int number : numbers)
+            {
+                text += (text.empty() ? "" : ".") + std::to_string(number);
+            }
+            return text;
+        };
+        return "ompl_mfa " OMPL_MFA_VERSION "\nOMPL " OMPL_MFA_OMPL_VERSION "\nFCL " +
+               joined({FCL_MAJOR_VERSION, FCL_MINOR_VERSION, FCL_PATCH_VERSION}) + "\nEigen " +
+               joined({EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION}) + "\n" OMPL_MFA_COMPILER;
+    }
+
     int run(int argc, char **argv)
     {
         CLI::App app{"Modified Firefly Algorithm planning for OMPL", "ompl_mfa"};
-        app.set_version_flag("--version", "ompl_mfa " OMPL_MFA_VERSION);
+        app.set_version_flag("--version", describeVersion());
         app.require_subcommand(1);
+        ompl_mfa::cli::addAnimateCommand(app);
         ompl_mfa::cli::addBenchmarkCommand(app);
         ompl_mfa::cli::addCheckCommand(app);
         ompl_mfa::cli::addMergeCommand(app);
         ompl_mfa::cli::addOptimizeCommand(app);
         ompl_mfa::cli::addPlanCommand(app);
         ompl_mfa::cli::addPlannersCommand(app);
+        ompl_mfa::cli::addReportCommand(app);
 
         static StandardErrorOutput output;
         ompl::msg::useOutputHandler(&output);

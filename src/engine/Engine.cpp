@@ -58,6 +58,9 @@ namespace ompl_mfa::engine
         constexpr std::uint64_t SHORTEST_TURN = 400;
         constexpr std::uint64_t LONGEST_TURN = 8000;
 
+        /* Paths that are kept for swarms which have not begun; the last ones. */
+        constexpr std::size_t MAX_FIRST_FIREFLIES = 20;
+
         /* Pause when no part is ready. */
         constexpr std::chrono::milliseconds IDLE(1);
 
@@ -102,7 +105,9 @@ namespace ompl_mfa::engine
       , bounds_(chart->bounds())
       , parts_(makeParts(context_, guest))
       , straightMotions_(context_, parts_.guided)
+      , hints_(context_, parts_.mender.get(), parts_.refiner != nullptr)
       , proof_(context_)
+      , answer_(makeAnswerMaker(context_))
     {
         context_.evaluator().setPartialPathEvent(
             [this](const path::Waypoints &path, std::size_t motion, const ob::State *lastValid)
@@ -114,6 +119,60 @@ namespace ompl_mfa::engine
     }
 
     Engine::~Engine() = default;
+
+    void Engine::inherit(Engine &predecessor, bool sameValidity)
+    {
+        SearchContext &earlier = predecessor.context_;
+        // costs other than length may depend on the world, like validity
+        const bool sameCosts =
+            context_.query.hasObjectiveOf(earlier.query) && (sameValidity || context_.evaluator().bounds().certain());
+        const Heritage heritage{context_.chart->space() == earlier.chart->space() && bounds_ == predecessor.bounds_,
+                                sameValidity, sameCosts};
+        for (const auto &part : parts_.parts)
+        {
+            for (const auto &other : predecessor.parts_.parts)
+            {
+                if (part->kind() == other->kind())
+                {
+                    part->inherit(*other, heritage);
+                }
+            }
+        }
+        if (earlier.incumbent.hasPath())
+        {
+            hints_.add(earlier.incumbent.path(), PathHints::Source::BestPath);
+        }
+        if (earlier.answer.hasPath() && !earlier.answer.path().equals(earlier.incumbent.path()))
+        {
+            hints_.add(earlier.answer.path(), PathHints::Source::BestPath);
+        }
+        for (std::size_t i = 0; i < earlier.pool.size(); ++i)
+        {
+            if (earlier.pool[i].cost != earlier.incumbent.cost())
+            {
+                hints_.add(earlier.pool[i].path, PathHints::Source::Population);
+            }
+        }
+        for (std::size_t i = 0; i < predecessor.hints_.size(); ++i)
+        {
+            hints_.add(predecessor.hints_.path(i), predecessor.hints_.source(i));
+        }
+        context_.firstFireflies = earlier.firstFireflies;
+    }
+
+    void Engine::addHint(path::Waypoints path)
+    {
+        std::vector<path::Waypoints> &fireflies = context_.firstFireflies;
+        if (fireflies.size() >= MAX_FIRST_FIREFLIES)
+        {
+            fireflies.erase(fireflies.begin());
+        }
+        fireflies.push_back(path);
+        if (parts_.mender)
+        {
+            hints_.add(std::move(path), PathHints::Source::User);
+        }
+    }
 
     bool Engine::canContinue(const ob::ProblemDefinition &pdef, const ob::PlannerTerminationCondition &ptc)
     {
@@ -141,14 +200,21 @@ namespace ompl_mfa::engine
         }
         path::PathEvaluator &evaluator = context_.evaluator();
         const StopConditionScope stopCondition(evaluator, ptc);
-        const bool holds = evaluator.stopped() || (evaluator.checkState(path.front()) && evaluator.checkPath(path)) ||
-                           evaluator.interrupted();
-        if (!holds)
+        const path::Waypoints &answer = context_.answer.path();
+        const bool valid =
+            evaluator.stopped() || (holds(path) && (answer.equals(path) || holds(answer))) || evaluator.interrupted();
+        if (!valid)
         {
             OMPL_INFORM("%s: The path of an earlier solve() is not valid any more; the search restarts",
                         context_.owner.getName().c_str());
         }
-        return holds;
+        return valid;
+    }
+
+    bool Engine::holds(const path::Waypoints &path)
+    {
+        path::PathEvaluator &evaluator = context_.evaluator();
+        return path.empty() || (evaluator.checkState(path.front()) && evaluator.checkPath(path));
     }
 
     ob::PlannerStatus::StatusType Engine::search(ob::PlannerInputStates &inputs,
@@ -167,6 +233,7 @@ namespace ompl_mfa::engine
         {
             iterate(inputs, ptc);
         }
+        answer_->giveUp();
         return status;
     }
 
@@ -180,7 +247,37 @@ namespace ompl_mfa::engine
         {
             return false;
         }
-        return context_.objective().isSatisfied(ob::Cost(context_.incumbent.cost())) || proof_.holds();
+        const bool satisfied = meetsThreshold(context_.incumbent);
+        if (!satisfied && !proof_.holds())
+        {
+            return false;
+        }
+        // only a path that is returned ends the search
+        answer_->update(true);
+        mayPublish_();
+        if (meetsThreshold(context_.answer))
+        {
+            return true;
+        }
+        // nothing is better than the incumbent, so the search cannot improve the answer either
+        return !satisfied || proof_.holds();
+    }
+
+    bool Engine::meetsThreshold(const Incumbent &path) const
+    {
+        return path.hasPath() && context_.objective().isSatisfied(ob::Cost(path.cost()));
+    }
+
+    void Engine::updateAnswer()
+    {
+        answer_->update(meetsThreshold(context_.incumbent));
+        mayPublish_();
+        const Incumbent &answer = context_.answer;
+        if (answer.hasPath() && context_.incumbent.improvedBy(answer.cost()))
+        {
+            // tightened at the finer resolution
+            offer({answer.path(), ob::Cost(answer.cost()), Proposal::Stage::Raw, answer.origin(), false});
+        }
     }
 
     void Engine::iterate(ob::PlannerInputStates &inputs, const ob::PlannerTerminationCondition &ptc)
@@ -188,6 +285,7 @@ namespace ompl_mfa::engine
         context_.query.poll(inputs);
         tryStraightMotions();
         considerPending();
+        tryHints();
         updatePhase();
         std::vector<Readiness> readiness;
         for (const auto &part : parts_.parts)
@@ -197,6 +295,8 @@ namespace ompl_mfa::engine
         const auto next = sharing_.next(readiness);
         if (!next)
         {
+            answer_->giveUp();
+            mayPublish_();
             std::this_thread::sleep_for(IDLE);  // until starts or goals arrive
         }
         if (!next || finished(ptc))
@@ -204,7 +304,7 @@ namespace ompl_mfa::engine
             return;
         }
         takeTurn(*next);
-        mayPublish_();
+        updateAnswer();
     }
 
     void Engine::tryStraightMotions()
@@ -216,6 +316,13 @@ namespace ompl_mfa::engine
             found = !findings.paths.empty();
             consider(findings);
         }
+    }
+
+    void Engine::tryHints()
+    {
+        Findings findings(context_.chart->space());
+        hints_.advance(findings);
+        consider(findings);
     }
 
     void Engine::considerPending()
@@ -281,7 +388,7 @@ namespace ompl_mfa::engine
         {
             offer(proposal);
         }
-        if (context_.objective().isSatisfied(ob::Cost(incumbent.cost())))
+        if (meetsThreshold(context_.answer))
         {
             return;
         }
@@ -294,6 +401,7 @@ namespace ompl_mfa::engine
         {
             offer(proposal);
         }
+        updateAnswer();
         context_.pool.add(proposal.path, proposal.cost->value(), !proposal.draft, incumbent.cost());
     }
 
@@ -321,7 +429,11 @@ namespace ompl_mfa::engine
             credit(proposal.origin,
                    std::min(1.0, std::abs(before - incumbent.cost()) / std::max(std::abs(before), 1e-12)));
         }
-        mayPublish_();
+        // a path that is to be tightened is published as it is only if it is the first
+        if (first || meetsThreshold(incumbent) || !answer_->isActive())
+        {
+            updateAnswer();
+        }
         return true;
     }
 
@@ -374,6 +486,10 @@ namespace ompl_mfa::engine
         if (context_.incumbent.hasPath())
         {
             graph.addPath(context_.incumbent.path());
+        }
+        if (context_.answer.hasPath())
+        {
+            graph.addPath(context_.answer.path());
         }
     }
 }  // namespace ompl_mfa::engine

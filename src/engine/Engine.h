@@ -45,8 +45,10 @@
 
 #include <ompl/base/Planner.h>
 
+#include "engine/AnswerMaker.h"
 #include "engine/OptimalityProof.h"
 #include "engine/PartRegistry.h"
+#include "engine/PathHints.h"
 #include "engine/SearchContext.h"
 #include "engine/SearchPart.h"
 #include "engine/StraightMotions.h"
@@ -67,14 +69,24 @@ namespace ompl_mfa::engine
         Engine(const Engine &) = delete;
         Engine &operator=(const Engine &) = delete;
 
+        /** \brief Takes what is of use in this search from \e predecessor, an earlier search for any query: roadmap,
+           good paths as hints, and fireflies. \e sameValidity is whether states and motions that it found valid or
+           invalid still are. To be called before search(); the predecessor is not used again. */
+        void inherit(Engine &predecessor, bool sameValidity);
+
+        /** \brief Adds a path of any states, at least one, which may help: it is joined to start and goal and made
+           valid if necessary. In the paper's algorithm it becomes a firefly of the next swarm that is made. */
+        void addHint(path::Waypoints path);
+
         /** \brief Whether this search can be continued for \e pdef: the query and the bounds of the space are the same,
            and the results so far are still valid. Goals and the validity checker's answers may have changed, so the
            best path is checked again, unless the stop condition leaves no time for it. */
         bool canContinue(const ompl::base::ProblemDefinition &pdef, const ompl::base::PlannerTerminationCondition &ptc);
 
-        /** \brief Searches until \e ptc is true or no better path can be found. Returns EXACT_SOLUTION if a search took
+        /** \brief Searches until \e ptc is true or no better path can be found. The result is the context's answer.
+            Returns EXACT_SOLUTION if a search took
             place, whether or not it found a path, else the status that explains why it did not. Calls \e mayPublish at
-            the beginning, after each improvement of the best path, and after each turn. */
+            the beginning, after each improvement of the answer, and after each turn. */
         ompl::base::PlannerStatus::StatusType search(ompl::base::PlannerInputStates &inputs,
                                                      const ompl::base::PlannerTerminationCondition &ptc,
                                                      const std::function<void()> &mayPublish);
@@ -97,14 +109,18 @@ namespace ompl_mfa::engine
         bool finished(const ompl::base::PlannerTerminationCondition &ptc);
         void iterate(ompl::base::PlannerInputStates &inputs, const ompl::base::PlannerTerminationCondition &ptc);
         void tryStraightMotions();
+        void tryHints();
         void considerPending();
         void takeTurn(std::size_t number);
         void consider(Findings &findings);
         void consider(Proposal proposal);
         bool offer(const Proposal &proposal);
+        bool meetsThreshold(const Incumbent &path) const;
+        void updateAnswer();
         void credit(std::optional<PartKind> origin, double gain);
         void updatePhase();
         bool pathHolds(const ompl::base::PlannerTerminationCondition &ptc);
+        bool holds(const path::Waypoints &path);
         void offerPartial(const path::Waypoints &path, std::size_t motion, const ompl::base::State *lastValid);
 
         SearchContext context_;
@@ -112,7 +128,9 @@ namespace ompl_mfa::engine
         PartList parts_;
         TurnSharing sharing_;
         StraightMotions straightMotions_;
+        PathHints hints_;
         OptimalityProof proof_;
+        std::unique_ptr<AnswerMaker> answer_;
         std::vector<Proposal> pending_;  ///< proposals whose cost is not computed yet
         std::vector<double> gains_;      ///< gain of each part in this turn
         std::size_t turn_{0};            ///< index of the part whose turn it is

@@ -46,6 +46,8 @@
 #include "engine/guides/GuestPlannerPart.h"
 #include "engine/guides/RoadmapPart.h"
 #include "engine/guides/TreePart.h"
+#include "engine/refinement/PathMending.h"
+#include "engine/refinement/StrictAnswer.h"
 #include "engine/refinement/TighteningPart.h"
 
 namespace ompl_mfa::engine
@@ -111,6 +113,8 @@ namespace ompl_mfa::engine
                 throw ompl::Exception(context.owner.getName(),
                                       "nothing searches for paths: fireflies = 0, guide = none and no guide planner");
             }
+            list.mender = std::make_unique<refinement::PathMending>(context.chart, context.evaluator(),
+                                                                    streamSeed(context.seed, Stream::Mending));
             if (settings.fireflies)
             {
                 addSwarms(context, list);
@@ -139,5 +143,10 @@ namespace ompl_mfa::engine
             list.parts.push_back(std::make_unique<fireflies::GoalSearchPart>(context));
         }
         return list;
+    }
+
+    std::unique_ptr<AnswerMaker> makeAnswerMaker(SearchContext &context)
+    {
+        return std::make_unique<refinement::StrictAnswer>(context);
     }
 }  // namespace ompl_mfa::engine

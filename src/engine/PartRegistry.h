@@ -42,6 +42,7 @@
 
 #include <ompl/base/Planner.h>
 
+#include "engine/AnswerMaker.h"
 #include "engine/SearchPart.h"
 
 namespace ompl_mfa::engine
@@ -57,6 +58,7 @@ namespace ompl_mfa::engine
         std::vector<std::unique_ptr<SearchPart>> parts;
         PathRefiner *refiner{nullptr};              ///< element of parts that tightens paths, or null
         std::shared_ptr<fireflies::Swarms> swarms;  ///< shared by the parts that use fireflies; may be null
+        std::unique_ptr<PathMender> mender;         ///< null in the paper's algorithm
         bool guided{false};                         ///< whether a part other than the fireflies can find a first path
     };
 
@@ -64,6 +66,9 @@ namespace ompl_mfa::engine
         null. The paper's algorithm is a single part: fireflies whose coordinates are offsets. Throws ompl::Exception if
         no part can find a first path, or if \e guest returns no planner. */
     PartList makeParts(const SearchContext &context, const ompl::base::PlannerAllocator &guest);
+
+    /** \brief What makes the answer of the search; \e context must outlive it. */
+    std::unique_ptr<AnswerMaker> makeAnswerMaker(SearchContext &context);
 }  // namespace ompl_mfa::engine
 
 #endif

@@ -60,11 +60,6 @@ namespace ompl_mfa::engine
     {
     }
 
-    bool PathPool::isBetter(double a, double b) const
-    {
-        return evaluator_.objective()->isCostBetterThan(ob::Cost(a), ob::Cost(b));
-    }
-
     /* The root mean square of the distances of the states on the slices. */
     double PathPool::meanDistance(const path::Waypoints &a, const path::Waypoints &b) const
     {
@@ -81,7 +76,7 @@ namespace ompl_mfa::engine
     {
         const auto first =
             std::min_element(members_.begin(), members_.end(),
-                             [this](const Member &a, const Member &b) { return isBetter(a.cost, b.cost); });
+                             [this](const Member &a, const Member &b) { return evaluator_.isBetter(a.cost, b.cost); });
         return static_cast<std::size_t>(first - members_.begin());
     }
 
@@ -89,13 +84,13 @@ namespace ompl_mfa::engine
     {
         const auto last =
             std::max_element(members_.begin(), members_.end(),
-                             [this](const Member &a, const Member &b) { return isBetter(a.cost, b.cost); });
+                             [this](const Member &a, const Member &b) { return evaluator_.isBetter(a.cost, b.cost); });
         return static_cast<std::size_t>(last - members_.begin());
     }
 
     void PathPool::add(const path::Waypoints &path, double cost, bool valid, double best)
     {
-        if (capacity_ == 0 || path.size() < 3 || isBetter(evaluator_.withSlack(best, SLACK), cost))
+        if (capacity_ == 0 || path.size() < 3 || evaluator_.isBetter(evaluator_.withSlack(best, SLACK), cost))
         {
             return;
         }
@@ -117,7 +112,7 @@ namespace ompl_mfa::engine
             return;
         }
         const std::size_t replaced = nearest < members_.size() ? nearest : dimmest();
-        if (isBetter(cost, members_[replaced].cost))
+        if (evaluator_.isBetter(cost, members_[replaced].cost))
         {
             members_[replaced] = std::move(member);
         }
@@ -127,7 +122,7 @@ namespace ompl_mfa::engine
     {
         const double most = evaluator_.withSlack(best, SLACK);
         members_.erase(std::remove_if(members_.begin(), members_.end(),
-                                      [&](const Member &member) { return isBetter(most, member.cost); }),
+                                      [&](const Member &member) { return evaluator_.isBetter(most, member.cost); }),
                        members_.end());
     }
 }  // namespace ompl_mfa::engine

@@ -91,7 +91,6 @@ namespace ompl_mfa::engine
         std::size_t dimmest() const;
 
     private:
-        bool isBetter(double a, double b) const;
         double meanDistance(const path::Waypoints &a, const path::Waypoints &b) const;
 
         std::size_t capacity_;

@@ -63,6 +63,12 @@ namespace ompl_mfa::engine
             goals(). Additional states and the order of states make no difference. */
         bool differsFrom(const ompl::base::ProblemDefinition &pdef) const;
 
+        /** \brief Whether \e other was asked with the same objective. */
+        bool hasObjectiveOf(const Query &other) const
+        {
+            return askedObjective_ == other.askedObjective_;
+        }
+
         /** \brief Whether \e path begins at one of starts() and ends at one of goals() or at another state that
             satisfies the goal. */
         bool isAnsweredBy(const path::Waypoints &path) const;

@@ -69,7 +69,8 @@ namespace ompl_mfa::engine
       , seed(runSeed)
       , progress(shown)
       , query(planner.getSpaceInformation()->getStateSpace())
-      , incumbent(objective, planner.getSpaceInformation()->getStateSpace(), shown.bestCost)
+      , incumbent(objective, planner.getSpaceInformation()->getStateSpace(), incumbentCost_)
+      , answer(objective, planner.getSpaceInformation()->getStateSpace(), shown.bestCost)
       , pool(poolCapacity(settings), chart, *evaluator_)
     {
         query.ask(*planner.getProblemDefinition());

@@ -37,8 +37,10 @@
 #ifndef OMPL_MFA_ENGINE_SEARCH_CONTEXT_
 #define OMPL_MFA_ENGINE_SEARCH_CONTEXT_
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <ompl/base/Planner.h>
 
@@ -58,6 +60,7 @@ namespace ompl_mfa::engine
     {
     private:
         std::unique_ptr<path::PathEvaluator> evaluator_;  // first, as others refer to it
+        std::atomic<double> incumbentCost_;
 
     public:
         /** \brief \e planner is used to choose the nearest-neighbour structure for the space. \e runSeed != 0 is the
@@ -99,7 +102,9 @@ namespace ompl_mfa::engine
         SearchProgress &progress;
         Query query;
         Incumbent incumbent;
+        Incumbent answer;  ///< the path to return: the best one that holds at a finer resolution, see StrictAnswer
         PathPool pool;
+        std::vector<path::Waypoints> firstFireflies;  ///< hints, valid or not, for swarms not begun yet
     };
 }  // namespace ompl_mfa::engine
 

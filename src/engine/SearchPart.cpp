@@ -59,6 +59,10 @@ namespace ompl_mfa::engine
     {
     }
 
+    void SearchPart::inherit(SearchPart & /*predecessor*/, const Heritage & /*heritage*/)
+    {
+    }
+
     void SearchPart::explain(SearchGraph & /*graph*/) const
     {
     }

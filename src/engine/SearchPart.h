@@ -94,6 +94,14 @@ namespace ompl_mfa::engine
         Ready
     };
 
+    /** \brief What an earlier search knew that holds in the next one, too. */
+    struct Heritage
+    {
+        bool states;    ///< whether the space and its bounds are the same
+        bool validity;  ///< whether the validity of states and motions is the same
+        bool costs;     ///< whether the costs of motions are the same
+    };
+
     /** \brief One search method, which takes turns with others. It reads the shared SearchContext and knows none of the
         others. */
     class SearchPart
@@ -125,6 +133,10 @@ namespace ompl_mfa::engine
         /** \brief Called when \e proposal became the best path. */
         virtual void improved(const Proposal &proposal);
 
+        /** \brief Takes from \e predecessor, the same part of an earlier search, what is of use in this one according
+           to \e heritage. To be called before the first turn; the predecessor is not used again. By default nothing. */
+        virtual void inherit(SearchPart &predecessor, const Heritage &heritage);
+
         /** \brief Appends to \e graph the part's states, except those known to be invalid, and its valid motions. By
             default nothing. */
         virtual void explain(SearchGraph &graph) const;
@@ -154,6 +166,19 @@ namespace ompl_mfa::engine
             draft that promises to be better is repaired. The result is tight; it is a draft if it promised too little
             to be repaired, or could not be. */
         virtual Proposal refine(Proposal proposal, ompl::base::Cost rival) = 0;
+    };
+
+    /** \brief Makes invalid paths valid. */
+    class PathMender
+    {
+    public:
+        virtual ~PathMender() = default;
+
+        /** \brief Makes \e path (at least two states), whose first and last state are valid, valid at the evaluator's
+            present stride: replaces what collides. The higher \e effort (from 0), the longer it searches, and the
+            longer may be what replaces a colliding section. False, with \e path unchanged, if that failed or was
+            interrupted. */
+        virtual bool mend(path::Waypoints &path, unsigned int effort) = 0;
     };
 
     /** \brief Factor for a roadmap's share of the time by the dimension of the space, 1 in three dimensions: n states

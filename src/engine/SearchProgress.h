@@ -50,9 +50,10 @@ namespace ompl_mfa::engine
     class SearchProgress
     {
     public:
-        std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};  ///< infinity before the first path
-        std::atomic<std::uint64_t> iterations{0};                               ///< firefly generations
-        std::atomic<std::uint64_t> evaluations{0};                              ///< path evaluations
+        /** \brief Cost of the path that would be returned now; infinity before there is one. */
+        std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};
+        std::atomic<std::uint64_t> iterations{0};   ///< firefly generations
+        std::atomic<std::uint64_t> evaluations{0};  ///< path evaluations
 
         void reset()
         {

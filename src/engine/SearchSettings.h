@@ -60,6 +60,7 @@ namespace ompl_mfa::engine
         unsigned int seed{0};
         double stateCheckTime{0.1};
         unsigned int threads{1};
+        unsigned int strictness{8};
 
         bool usesTrees() const
         {

@@ -48,19 +48,23 @@ namespace ompl_mfa::engine
     enum class Stream : std::uint64_t
     {
         // of a run; the numbers are fixed, so that seeded runs of the paper's algorithm are the same in every version
-        Trees = 0,             ///< TreePart
-        Roadmap = 1,           ///< RoadmapPart
-        Tightening = 2,        ///< PathTightening of the best path
-        NewTightening = 3,     ///< PathTightening of new paths
-        Swarm = 6,             ///< the swarm on the straight axis with this index
-        Detours = 7,           ///< the detour with this index, for testing the objective's bounds
-        GoalSearch = 8,        ///< the search for states that satisfy a goal
-        DraftTightening = 11,  ///< PathTightening of drafts of new paths
-        BestDraft = 12,        ///< PathTightening of a draft of the best path
-        Repair = 13,           ///< PathRepair
-        PathSwarm = 14,        ///< PathSwarm
-        SwarmTightening = 15,  ///< PathTightening in PathSwarm
-        LocalTrees = 16,       ///< LocalTrees of PathSwarm
+        Trees = 0,              ///< TreePart
+        Roadmap = 1,            ///< RoadmapPart
+        Tightening = 2,         ///< PathTightening of the best path
+        NewTightening = 3,      ///< PathTightening of new paths
+        Swarm = 6,              ///< the swarm on the straight axis with this index
+        Detours = 7,            ///< the detour with this index, for testing the objective's bounds
+        GoalSearch = 8,         ///< the search for states that satisfy a goal
+        DraftTightening = 11,   ///< PathTightening of drafts of new paths
+        BestDraft = 12,         ///< PathTightening of a draft of the best path
+        Repair = 13,            ///< PathRepair
+        PathSwarm = 14,         ///< PathSwarm
+        SwarmTightening = 15,   ///< PathTightening in PathSwarm
+        LocalTrees = 16,        ///< LocalTrees of PathSwarm
+        Strict = 17,            ///< PathRepair in StrictAnswer
+        StrictTightening = 18,  ///< PathTightening in StrictAnswer
+        Mending = 19,           ///< LocalTrees of PathMending
+        Successor = 20,         ///< the search with this index that continues an earlier one
 
         // of a swarm, or of a search for goals
         Epoch = 9,          ///< the fireflies of the epoch with this index

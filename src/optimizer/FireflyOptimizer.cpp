@@ -135,7 +135,8 @@ namespace ompl_mfa
         brighter_.resize(size);
         best_ = lower_ + 0.5 * range_;
         moved_.resize(dimension, size);
-        moves_.resize(size);
+        moves_.resize(size, true);
+        trialsWanted_.assign(settings_.trialVectors.begin(), settings_.trialVectors.end());
         trials_.resize(dimension, TRIAL_VECTORS);
         new1_.resize(dimension);
         new2_.resize(dimension);
@@ -300,6 +301,10 @@ namespace ompl_mfa
 
     bool FireflyOptimizer::evaluateInitial(ObjectiveFunction &objective, const StopCondition &stop)
     {
+        if (cursor_ == 0)
+        {
+            objective.prepare(population_, moves_);
+        }
         for (; cursor_ < settings_.populationSize; ++cursor_)
         {
             if (asked(stop))
@@ -387,6 +392,10 @@ namespace ompl_mfa
 
     bool FireflyOptimizer::evaluateMoves(ObjectiveFunction &objective, const StopCondition &stop)
     {
+        if (cursor_ == 0)
+        {
+            objective.prepare(moved_, moves_);
+        }
         for (; cursor_ < settings_.populationSize; ++cursor_)
         {
             if (!moves_[cursor_])
@@ -422,6 +431,7 @@ namespace ompl_mfa
                 }
                 makeTrials(cursor_);
                 trialsMade_ = true;
+                objective.prepare(trials_, trialsWanted_);
             }
             for (; trial_ < TRIAL_VECTORS; ++trial_)
             {

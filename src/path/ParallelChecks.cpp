@@ -92,7 +92,7 @@ namespace ompl_mfa::path
     {
         if (splitsMotions())
         {
-            return checkStates(motion);
+            return checkDiscretely(motion);
         }
         const Stopwatch watch;
         const bool valid = si_->checkMotion(motion.from, motion.to);
@@ -123,7 +123,7 @@ namespace ompl_mfa::path
     }
 
     /* Checks the states that DiscreteMotionValidator checks, in the same order. */
-    bool ParallelChecks::checkStates(const Motion &motion)
+    bool ParallelChecks::checkDiscretely(const Motion &motion)
     {
         return si_->isValid(motion.to) &&
                checkInside(motion, si_->getStateSpace()->validSegmentCount(motion.from, motion.to));
@@ -131,24 +131,30 @@ namespace ompl_mfa::path
 
     bool ParallelChecks::checkInside(const Motion &motion, unsigned int count)
     {
-        const Stopwatch watch;
         bisect(count);
-        const std::size_t alone = std::min(ALONE, order_.size());
+        return checkStates(motion, order_.data(), order_.size(), count);
+    }
+
+    bool ParallelChecks::checkStates(const Motion &motion, const unsigned int *numbers, std::size_t count,
+                                     unsigned int segments)
+    {
+        const Stopwatch watch;
+        const std::size_t alone = std::min(ALONE, count);
         for (std::size_t i = 0; i < alone; ++i)
         {
-            if (!isValidAt(0, motion, order_[i], count))
+            if (!isValidAt(0, motion, numbers[i], segments))
             {
                 return false;
             }
         }
-        const std::size_t left = order_.size() - alone;
+        const std::size_t left = count - alone;
         if (left * watch.seconds() < ALONE * WAKE_UP)
         {
-            return std::all_of(order_.begin() + static_cast<std::ptrdiff_t>(alone), order_.end(),
-                               [&](unsigned int state) { return isValidAt(0, motion, state, count); });
+            return std::all_of(numbers + alone, numbers + count,
+                               [&](unsigned int state) { return isValidAt(0, motion, state, segments); });
         }
         return pool_.run(left, [&](std::size_t thread, std::size_t i)
-                         { return isValidAt(thread, motion, order_[alone + i], count); });
+                         { return isValidAt(thread, motion, numbers[alone + i], segments); });
     }
 
     /* The numbers 1 to \e count - 1 in bisection order: the middle first, then those of the halves, and so on. */

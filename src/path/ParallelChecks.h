@@ -65,6 +65,10 @@ namespace ompl_mfa::path
         /** \brief Whether the states that divide the motion into \e count equal segments are valid. */
         bool checkInside(const Motion &motion, unsigned int count);
 
+        /** \brief Whether \e count states of the motion are valid, given by their \e numbers, with \e segments for its
+            end. */
+        bool checkStates(const Motion &motion, const unsigned int *numbers, std::size_t count, unsigned int segments);
+
         /** \brief Number of motions that checkMotions() can check at the same time. */
         std::size_t motionsAtOnce() const
         {
@@ -81,7 +85,7 @@ namespace ompl_mfa::path
     private:
         bool splitsMotions() const;
         bool isValidAt(std::size_t thread, const Motion &motion, unsigned int state, unsigned int count);
-        bool checkStates(const Motion &motion);
+        bool checkDiscretely(const Motion &motion);
         void bisect(unsigned int count);
 
         ompl::base::SpaceInformationPtr si_;

@@ -166,6 +166,7 @@ namespace ompl_mfa::path
 
     bool PathEvaluator::checkMotion(const ob::State *from, const ob::State *to)
     {
+        failed_ = 0;
         if (stopped() || !guard_.allows(from, to))
         {
             return false;
@@ -176,12 +177,13 @@ namespace ompl_mfa::path
         }
         const bool valid = parallel_ ? parallel_->checkMotion({from, to}) : si_->checkMotion(from, to);
         checks_ += motionWork(*si_, {from, to}, valid);
-        return valid;
+        return valid && (fineness_ == 1 || checkFineStates({from, to}));
     }
 
     unsigned int PathEvaluator::checkedSegments(const ob::State *from, const ob::State *to) const
     {
-        return std::max(1U, guard_.validSegmentCount(from, to) / stride_);
+        const unsigned int segments = guard_.validSegmentCount(from, to);
+        return stride_ > 1 ? std::max(1U, segments / stride_) : std::max(1U, segments) * fineness_;
     }
 
     std::uint64_t PathEvaluator::checkWork(const Waypoints &path) const
@@ -256,7 +258,7 @@ namespace ompl_mfa::path
        work nor acted upon until they are asked for here. */
     bool PathEvaluator::checkNext(std::size_t i)
     {
-        if (!parallel_ || stride_ > 1)
+        if (!parallel_ || stride_ > 1 || fineness_ > 1)
         {
             return checkMotion(motions_[i].from, motions_[i].to);
         }
@@ -320,7 +322,7 @@ namespace ompl_mfa::path
         {
             return false;
         }
-        for (std::size_t i = 1; stride_ == 1 && i < path.size(); ++i)
+        for (std::size_t i = 1; stride_ == 1 && fineness_ == 1 && i < path.size(); ++i)
         {
             if (!checkBetween({path[i - 1], path[i]}))
             {
@@ -332,8 +334,9 @@ namespace ompl_mfa::path
 
     bool PathEvaluator::checkBetween(std::initializer_list<Motion> motions)
     {
-        return stride_ > 1 || std::all_of(motions.begin(), motions.end(),
-                                          [this](const Motion &motion) { return checkBetween(motion); });
+        return stride_ > 1 || fineness_ > 1 ||
+               std::all_of(motions.begin(), motions.end(),
+                           [this](const Motion &motion) { return checkBetween(motion); });
     }
 
     bool PathEvaluator::checkBetween(const Motion &motion)
@@ -376,7 +379,7 @@ namespace ompl_mfa::path
         {
             return a.violation < b.violation;
         }
-        return objective_->isCostBetterThan(ob::Cost(a.cost), ob::Cost(b.cost));
+        return isBetter(a.cost, b.cost);
     }
 
     double PathEvaluator::withSlack(double cost, double factor) const
@@ -386,7 +389,7 @@ namespace ompl_mfa::path
             return cost;
         }
         const double slack = factor * cost;
-        return std::isfinite(slack) && objective_->isCostBetterThan(ob::Cost(cost), ob::Cost(slack)) ? slack : cost;
+        return std::isfinite(slack) && isBetter(cost, slack) ? slack : cost;
     }
 
     Brightness PathEvaluator::evaluate(const Waypoints &path, const Brightness *rival)

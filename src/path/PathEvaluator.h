@@ -138,6 +138,36 @@ namespace ompl_mfa::path
             return stride_;
         }
 
+        /** \brief See hasDiscreteMotionChecks(). */
+        bool isDiscrete() const;
+
+        /** \brief From now on a motion that is valid is also checked at \e fineness (at least 1) times OMPL's
+            resolution, by the state validity checker: at the states that OMPL's checkMotion would check with that
+            factor as validSegmentCountFactor, those near its ends first, or those only with \e endsOnly: where a path
+            turns around an obstacle, within a step of OMPL's resolution. Only for motions that are checked in full (a
+            stride of 1), and without effect unless isDiscrete(). */
+        void setFineness(unsigned int fineness, bool endsOnly = false);
+
+        unsigned int fineness() const
+        {
+            return fineness_;
+        }
+
+        bool finenessEndsOnly() const
+        {
+            return endsOnly_;
+        }
+
+        /** \brief The additional checks of a motion that is known to be valid at OMPL's resolution. */
+        bool checkFinely(const ompl::base::State *from, const ompl::base::State *to);
+
+        /** \brief Of the last motion that failed at the finer resolution only: the number of the invalid state, with
+            checkedSegments() for the end of the motion; 0 if the last motion checked did not fail so. */
+        unsigned int failedState() const
+        {
+            return failed_;
+        }
+
         /** \brief Number of segments between the states at which checkMotion checks the motion; at least 1. */
         unsigned int checkedSegments(const ompl::base::State *from, const ompl::base::State *to) const;
 
@@ -179,6 +209,12 @@ namespace ompl_mfa::path
 
         /** \brief The same for a path whose \e cost is known. */
         Brightness evaluate(const Waypoints &path, ompl::base::Cost cost, const Brightness *rival);
+
+        /** \brief Whether the objective prefers the cost \e a to \e b. */
+        bool isBetter(double a, double b) const
+        {
+            return objective_->isCostBetterThan(ompl::base::Cost(a), ompl::base::Cost(b));
+        }
 
         bool isBrighter(const Brightness &a, const Brightness &b) const;
 
@@ -248,6 +284,8 @@ namespace ompl_mfa::path
         bool checkBetween(const Motion &motion);
         bool checkInside(const Motion &motion, unsigned int count);
         bool checkDraft(const Motion &motion);
+        void orderFineStates(unsigned int segments);
+        bool checkFineStates(const Motion &motion);
         void reportPartialPath(const Waypoints &path, std::size_t motion);
         unsigned int countInvalid(const ompl::base::State *from, const ompl::base::State *to, unsigned int count);
         double invalidLength(const Motion &motion);
@@ -269,7 +307,11 @@ namespace ompl_mfa::path
         std::uint64_t distances_{0};
         std::uint64_t costs_{0};  ///< motion costs computed since the stop condition was evaluated
         std::size_t lastInvalid_{0};
+        std::vector<unsigned int> fine_;  ///< numbers of the states of a finer check, in their order
         unsigned int stride_{1};
+        unsigned int fineness_{1};
+        unsigned int failed_{0};
+        bool endsOnly_{false};
         bool interrupted_{false};
     };
 
@@ -296,6 +338,33 @@ namespace ompl_mfa::path
     private:
         PathEvaluator &evaluator_;
         unsigned int before_;
+    };
+
+    /** \brief Sets an evaluator's fineness during its lifetime. */
+    class FinenessScope
+    {
+    public:
+        /** \brief \e evaluator must outlive the object. */
+        FinenessScope(PathEvaluator &evaluator, unsigned int fineness, bool endsOnly)
+          : evaluator_(evaluator)
+          , before_(evaluator.fineness())
+          , endsOnlyBefore_(evaluator.finenessEndsOnly())
+        {
+            evaluator_.setFineness(fineness, endsOnly);
+        }
+
+        ~FinenessScope()
+        {
+            evaluator_.setFineness(before_, endsOnlyBefore_);
+        }
+
+        FinenessScope(const FinenessScope &) = delete;
+        FinenessScope &operator=(const FinenessScope &) = delete;
+
+    private:
+        PathEvaluator &evaluator_;
+        unsigned int before_;
+        bool endsOnlyBefore_;
     };
 }  // namespace ompl_mfa::path
 

@@ -102,6 +102,16 @@ namespace ompl_mfa::path
         size_ = 0;
     }
 
+    bool Waypoints::equals(const Waypoints &other) const
+    {
+        bool equal = size_ == other.size_;
+        for (std::size_t i = 0; equal && i < size_; ++i)
+        {
+            equal = space_->equalStates(states_[i], other.states_[i]);
+        }
+        return equal;
+    }
+
     std::vector<const ompl::base::State *> Waypoints::pointers() const
     {
         return {states_.begin(), states_.begin() + static_cast<std::ptrdiff_t>(size_)};

@@ -105,6 +105,9 @@ namespace ompl_mfa::path
             DubinsGuard). */
         double length() const;
 
+        /** \brief Whether both have the same states, in the same order. */
+        bool equals(const Waypoints &other) const;
+
         /** \brief The states in the form of OMPL's callbacks; valid until the next change. */
         std::vector<const ompl::base::State *> pointers() const;
 

@@ -43,6 +43,7 @@
 #include <ompl/util/Exception.h>
 
 #include "engine/fireflies/Swarms.h"
+#include "planner/HintPath.h"
 #include "planner/MFAImplementation.h"
 #include "planner/MFAParameters.h"
 #include "planner/PlannerDataExport.h"
@@ -127,20 +128,59 @@ namespace ompl_mfa
         Planner::clear();
         const planner::SearchLock::Search lock(implementation_->lock);
         forgetSearch();
+        implementation_->hints.clear();
     }
 
     void MFA::forgetSearch()
     {
         implementation_->engine.reset();
+        implementation_->predecessor.reset();
+        implementation_->sameValidity = true;
         implementation_->publisher = planner::SolutionPublisher();
         implementation_->progress.reset();
     }
 
     void MFA::clearQuery()
     {
-        // swarm, trees and roadmap belong to one query and cannot be reused for another
-        clear();
+        const planner::SearchLock::Search lock(implementation_->lock);
+        endSearch();
+    }
+
+    /* The next search inherits from the present one. */
+    void MFA::endSearch()
+    {
+        Implementation &search = *implementation_;
+        if (search.engine)
+        {
+            search.predecessor = std::move(search.engine);
+        }
+        search.publisher = planner::SolutionPublisher();
+        search.progress.reset();
         pis_.restart();
+    }
+
+    void MFA::validityChanged()
+    {
+        const planner::SearchLock::Search lock(implementation_->lock);
+        endSearch();
+        implementation_->sameValidity = false;
+    }
+
+    void MFA::addPathHint(const og::PathGeometric &path)
+    {
+        path::Waypoints hint = planner::hintOf(path, si_->getStateSpace(), getName());
+        const planner::SearchLock::Search lock(implementation_->lock);
+        implementation_->hints.push_back(std::move(hint));
+    }
+
+    void MFA::addPathHint(const ob::PathPtr &path)
+    {
+        const auto *geometric = dynamic_cast<const og::PathGeometric *>(path.get());
+        if (geometric == nullptr)
+        {
+            throw ompl::Exception(getName(), "a path hint must be an ompl::geometric::PathGeometric");
+        }
+        addPathHint(*geometric);
     }
 
     ob::PlannerStatus MFA::solve(const ob::PlannerTerminationCondition &ptc)
@@ -170,10 +210,20 @@ namespace ompl_mfa
     void MFA::prepareQuery(const ob::PlannerTerminationCondition &ptc)
     {
         Implementation &search = *implementation_;
-        if (search.engine && search.engine->canContinue(*pdef_, ptc))
+        if (!search.engine || !search.engine->canContinue(*pdef_, ptc))
         {
-            return;
+            beginSearch();
         }
+        for (path::Waypoints &hint : search.hints)
+        {
+            search.engine->addHint(std::move(hint));
+        }
+        search.hints.clear();
+    }
+
+    void MFA::beginSearch()
+    {
+        Implementation &search = *implementation_;
         requireFiniteExtent(*this);
         if (search.engine)
         {
@@ -181,11 +231,28 @@ namespace ompl_mfa
             forgetSearch();
             pis_.restart();
         }
-        const std::uint64_t seed = search.settings.seed != 0
-                                       ? search.settings.seed
-                                       : static_cast<std::uint64_t>(search.rng.uniformInt(1, 1 << 30));
-        search.engine = std::make_unique<engine::Engine>(*this, search.chart, search.settings, seed,
+        search.engine = std::make_unique<engine::Engine>(*this, search.chart, search.settings, seedOfSearch(),
                                                          search.guidePlanner, search.progress);
+        if (search.predecessor)
+        {
+            search.engine->inherit(*search.predecessor, search.sameValidity);
+            search.predecessor.reset();
+        }
+        search.sameValidity = true;
+    }
+
+    /* A search that inherits a roadmap must not draw its states again. */
+    std::uint64_t MFA::seedOfSearch()
+    {
+        Implementation &search = *implementation_;
+        if (search.settings.seed == 0)
+        {
+            return static_cast<std::uint64_t>(search.rng.uniformInt(1, 1 << 30));
+        }
+        search.successors = search.predecessor ? search.successors + 1 : 0;
+        return search.successors == 0
+                   ? search.settings.seed
+                   : engine::streamSeed(search.settings.seed, engine::Stream::Successor, search.successors);
     }
 
     void MFA::getPlannerData(ob::PlannerData &data) const

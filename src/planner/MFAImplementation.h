@@ -38,6 +38,7 @@
 #define OMPL_MFA_PLANNER_MFAIMPLEMENTATION_
 
 #include <memory>
+#include <vector>
 
 #include <ompl/util/RandomNumbers.h>
 
@@ -64,7 +65,11 @@ namespace ompl_mfa
         ompl::base::PlannerAllocator guidePlanner;
         path::StateChartPtr chart;
         engine::SearchProgress progress;
-        std::unique_ptr<engine::Engine> engine;  ///< of the present query, made by its first solve()
+        std::unique_ptr<engine::Engine> engine;       ///< of the present query, made by its first solve()
+        std::unique_ptr<engine::Engine> predecessor;  ///< an ended search that the next one inherits from; may be null
+        bool sameValidity{true};                      ///< whether what the predecessor knows of validity still holds
+        std::uint64_t successors{0};                  ///< number of searches that inherited, since one did not
+        std::vector<path::Waypoints> hints;           ///< for the next solve()
         planner::SolutionPublisher publisher;
         ompl::RNG rng;  ///< draws seeds for runs without one
         mutable planner::SearchLock lock;

@@ -95,7 +95,10 @@ namespace ompl_mfa::planner
             Real{"state_check_time", &engine::SearchSettings::stateCheckTime, Reals(0.001, 0.001, 100000.0),
                  "duration of a state check, by which a seeded run, which reads no clock, allocates its time"},
             Whole{"threads", &engine::SearchSettings::threads, Numbers(1, 1, 64),
-                  "number of threads that check states and motions, see above"}};
+                  "number of threads that check states and motions, see above"},
+            Whole{"strictness", &engine::SearchSettings::strictness, Numbers(1, 1, 64),
+                  "a published path is checked at this many times the resolution, see above; 1: at the resolution "
+                  "only; without effect in the paper's algorithm"}};
         return TABLE;
     }
 }  // namespace ompl_mfa::planner

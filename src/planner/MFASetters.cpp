@@ -205,6 +205,16 @@ namespace ompl_mfa
         return implementation_->settings.threads;
     }
 
+    void MFA::setStrictness(unsigned int strictness)
+    {
+        implementation_->set(*this, &engine::SearchSettings::strictness, strictness);
+    }
+
+    unsigned int MFA::getStrictness() const
+    {
+        return implementation_->settings.strictness;
+    }
+
     void MFA::setGuidePlanner(const ompl::base::PlannerAllocator &allocator)
     {
         implementation_->guidePlanner = allocator;

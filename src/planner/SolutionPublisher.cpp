@@ -62,14 +62,14 @@ namespace ompl_mfa::planner
 
     bool SolutionPublisher::isPublished(const engine::SearchContext &context) const
     {
-        return published_ && improvement_ == context.incumbent.improvements();
+        return published_ && improvement_ == context.answer.improvements();
     }
 
     void SolutionPublisher::publishIfDue(const engine::SearchContext &context, const ob::Planner &planner,
                                          SearchLock &lock)
     {
-        if (context.incumbent.hasPath() && !isPublished(context) &&
-            schedule_.due(context.incumbent.cost(), context.evaluator().work()))
+        if (context.answer.hasPath() && !isPublished(context) &&
+            schedule_.due(context.answer.cost(), context.evaluator().work()))
         {
             publish(context, planner, lock);
         }
@@ -77,17 +77,17 @@ namespace ompl_mfa::planner
 
     void SolutionPublisher::publish(const engine::SearchContext &context, const ob::Planner &planner, SearchLock &lock)
     {
-        const engine::Incumbent &incumbent = context.incumbent;
-        const ob::Cost cost(incumbent.cost());
+        const engine::Incumbent &answer = context.answer;
+        const ob::Cost cost(answer.cost());
         auto path = std::make_shared<og::PathGeometric>(context.spaceInformation());
-        incumbent.path().appendTo(*path);
+        answer.path().appendTo(*path);
         ob::PlannerSolution solution(path);
         solution.setPlannerName(planner.getName());
         solution.setOptimized(context.evaluator().objective(), cost, context.objective().isSatisfied(cost));
         pdef_->addSolutionPath(solution);
         schedule_.published(cost.value(), context.evaluator().work());
         published_ = path;
-        improvement_ = incumbent.improvements();
+        improvement_ = answer.improvements();
         const auto callback = pdef_->getIntermediateSolutionCallback();
         if (!callback)
         {
@@ -95,14 +95,14 @@ namespace ompl_mfa::planner
         }
         // the callback may wait for a thread that calls getPlannerData
         const SearchLock::Release release(lock);
-        callback(&planner, incumbent.path().pointers(), cost);
+        callback(&planner, answer.path().pointers(), cost);
     }
 
     ob::PlannerStatus SolutionPublisher::finish(const engine::SearchContext &context, const ob::Planner &planner,
                                                 SearchLock &lock)
     {
         const engine::Incumbent &incumbent = context.incumbent;
-        if (incumbent.hasPath())
+        if (context.answer.hasPath())
         {
             if (!isPublished(context))
             {

@@ -56,11 +56,11 @@ namespace ompl_mfa::planner
             contain the path published last. */
         void begin(const ompl::base::ProblemDefinitionPtr &pdef);
 
-        /** \brief Publishes the best path of \e context if it is new and due. \e lock is released during the
+        /** \brief Publishes the answer of \e context if it is new and due. \e lock is released during the
             intermediate solution callback of \e planner's problem definition. */
         void publishIfDue(const engine::SearchContext &context, const ompl::base::Planner &planner, SearchLock &lock);
 
-        /** \brief To be called at the end of a solve(): publishes the best path, or else the partial one, and returns
+        /** \brief To be called at the end of a solve(): publishes the answer, or else the partial path, and returns
             the status. */
         ompl::base::PlannerStatus finish(const engine::SearchContext &context, const ompl::base::Planner &planner,
                                          SearchLock &lock);

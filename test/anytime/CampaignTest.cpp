@@ -114,8 +114,9 @@ namespace ompl_mfa::anytime
         EXPECT_EQ(run["seed"], 1);
         EXPECT_EQ(run["time_limit"], 0.2);
         EXPECT_EQ(run["clock"], "cpu");
-        for (const char *field : {"status", "note", "solved", "valid", "cost", "wall", "cpu", "checks", "path_check",
-                                  "path_checks", "looks", "longest_gap", "path", "improvements", "family"})
+        for (const char *field :
+             {"status", "note", "solved", "valid", "strict", "cost", "wall", "cpu", "checks", "path_check",
+              "path_checks", "looks", "longest_gap", "path", "improvements", "family"})
         {
             EXPECT_TRUE(run.contains(field)) << field;
         }

@@ -40,6 +40,7 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -96,6 +97,7 @@ namespace ompl_mfa::anytime
         EXPECT_EQ(run["note"], "");
         EXPECT_EQ(run["solved"], true);
         EXPECT_EQ(run["valid"], true);
+        EXPECT_TRUE(run["strict"].is_boolean());
         EXPECT_GE(run["cost"], world().optimum() * (1.0 - 1e-3));
         ASSERT_GE(run["path"].size(), 2U);
         EXPECT_EQ(run["path"].front(), (Json{0.1, 0.5}));
@@ -105,6 +107,17 @@ namespace ompl_mfa::anytime
         EXPECT_GT(run["wall"], 0.0);
         EXPECT_GT(run["cpu"], 0.0);
         EXPECT_TRUE(run.contains("looks") && run.contains("longest_gap"));
+    }
+
+    TEST(PlannerRun, TellsWhetherThePathHoldsAtAFinerResolution)
+    {
+        // the shortest path touches the wall's corners
+        for (const unsigned int strictness : {1U, STRICTNESS})
+        {
+            const Json run = recordOf(makeWork(request("mfa:seed=3,strictness=" + std::to_string(strictness))));
+            EXPECT_EQ(run["valid"], true);
+            EXPECT_EQ(run["strict"], strictness > 1) << strictness;
+        }
     }
 
     TEST(PlannerRun, KeepsWhatWasLoggedBeforeASegmentationFault)

@@ -401,6 +401,11 @@ namespace ompl_mfa::anytime
                   (Names{"arm_7_5", "wall_gap_2d_1", "wall_gap_4d_1"}));
         EXPECT_EQ(namesOf(selectWorlds("^arm", {})), (Names{"arm_7_1", "arm_12_1"}));
         EXPECT_EQ(selectWorlds("", {}).size(), allWorlds().size());
+        const std::vector<std::filesystem::path> configs{std::string(OMPL_MFA_SOURCE_DIR) +
+                                                         "/benchmarks/configs/circle_field.cfg"};
+        EXPECT_EQ(namesOf(selectWorlds("", {}, configs)), (Names{"circle_field"}));
+        EXPECT_EQ(namesOf(selectWorlds("^arm_7", {}, configs)), (Names{"circle_field", "arm_7_1"}));
+        EXPECT_EQ(namePattern("", {"arm_7_5"}, configs), "^arm_7_5$|^circle_field$");
     }
 
     TEST(GeneratedWorlds, AreReportedWithTheOthers)

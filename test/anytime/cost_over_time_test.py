@@ -72,6 +72,14 @@ class Runs(unittest.TestCase):
         self.assertEqual((rows["b"].invalid, rows["c"].overrun, len(rows["a"].failed)), (1, 1, 1))
         self.assertEqual(rows["d"].best, 1.0, "the cost of a path that fails its check is not the best")
 
+    def test_paths_that_fail_at_a_finer_resolution_count_as_not_found(self):
+        rows = row_of([record("a", 1, [(0.1, 0.5)], 0.5, strict=False), record("b", 1, [(0.1, 1.0)], 1.0, strict=True),
+                       record("c", 1, [(0.1, 2.0)], 2.0)])
+        self.assertEqual([rows[planner].success for planner in "abc"], [0, 1, 1])
+        self.assertEqual((rows["a"].lax, rows["a"].invalid, rows["b"].lax), (1, 0, 0))
+        self.assertEqual(rows["b"].best, 1.0)
+        self.assertEqual(results.remarks(rows["a"]), "1 invalid at 8 times the resolution")
+
     def test_the_exact_optimum_is_the_best_cost_though_paths_cut_corners(self):
         run = record("a", 1, [(0.1, 0.999)], 0.999)
         self.assertEqual(row_of([run], {"w": {"cost": 1.0, "path": []}})["a"].best, 1.0)

@@ -84,7 +84,7 @@ namespace ompl_mfa::benchmark
 
         CampaignPlanner entry(const std::string &name, const ob::PlannerAllocator &allocator)
         {
-            return {name, [] { return planarProblem(); }, allocator};
+            return {name, [](std::size_t) { return planarProblem(); }, allocator};
         }
 
         CampaignDescription peacefulDescription()
@@ -527,7 +527,7 @@ namespace ompl_mfa::benchmark
         EXPECT_NE(inputErrorOf([&] { Campaign campaign(description); }), "");
 
         description = peacefulDescription();
-        description.planners[0].makeProblem = []() -> og::SimpleSetupPtr
+        description.planners[0].makeProblem = [](std::size_t) -> og::SimpleSetupPtr
         { throw InputError("x.cfg:3: start collides"); };
         EXPECT_EQ(inputErrorOf([&] { Campaign(description).validate(); }), "x.cfg:3: start collides");
     }

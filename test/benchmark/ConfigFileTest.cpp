@@ -117,7 +117,7 @@ namespace ompl_mfa::benchmark
             EXPECT_FALSE(config.problem.volume);
             EXPECT_FALSE(config.problem.objective);
             EXPECT_EQ(config.problem.threshold, 1e-6);
-            EXPECT_EQ(config.problem.motionValidation.value, collision::MotionValidation::Discrete);
+            EXPECT_FALSE(config.problem.motionValidation);
             EXPECT_EQ(config.benchmark.savePaths, SavePaths::None);
             EXPECT_TRUE(config.benchmark.simplify);
             EXPECT_EQ(config.benchmark.seed, 1u);
@@ -255,7 +255,7 @@ namespace ompl_mfa::benchmark
                       "folder/a.cfg:8: problem.threshold = wide: expected a number of at least 0");
             EXPECT_EQ(errorOf(PLANAR + "objective = shortest\n"),
                       "folder/a.cfg:8: problem.objective = shortest: expected one of length, max_min_clearance, "
-                      "mechanical_work, weighted");
+                      "mechanical_work, clearance_cost, weighted");
             EXPECT_EQ(errorOf(PLANAR + "motion_validation = continous\n"),
                       "folder/a.cfg:8: problem.motion_validation = continous: expected one of discrete, continuous");
             EXPECT_EQ(errorOf(PLANAR + "[benchmark]\nsave_paths = best\n"),
@@ -281,7 +281,8 @@ namespace ompl_mfa::benchmark
             EXPECT_EQ(errorOf("[problem]\nrobot = disc\nstart.x=0\nstart.y=0\ngoal.x=1\ngoal.y=1\n"),
                       "folder/a.cfg:2: problem.robot = disc: a disc needs problem.robot.radius");
             EXPECT_EQ(errorOf("[problem]\nstart.x=0\nstart.y=0\ngoal.x=1\ngoal.y=1\n"),
-                      "folder/a.cfg: problem.robot is missing; give a mesh, scene or .urdf file, point, disc or sphere");
+                      "folder/a.cfg: problem.robot is missing; give a mesh, scene or .urdf file, point, disc, sphere "
+                      "or footprint");
             EXPECT_EQ(errorOf("[problem]\nrobot = point\nstart.x=0\nstart.y=0\ngoal.x=1\n"),
                       "folder/a.cfg: problem.goal.y is missing");
             EXPECT_NE(errorOf("[problem]\nrobot = point\nrobot.radius = 1\nstart.x=0\nstart.y=0\ngoal.x=1\ngoal.y=1\n"),

@@ -120,7 +120,7 @@ MFA.GAMMA = 0.25
 
         CampaignPlanner entry(const std::string &name, const ob::PlannerAllocator &allocator)
         {
-            return {name, [] { return planarProblem(); }, allocator};
+            return {name, [](std::size_t) { return planarProblem(); }, allocator};
         }
 
         CampaignDescription description()

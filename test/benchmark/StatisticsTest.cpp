@@ -51,6 +51,7 @@
 #include "benchmark/PlanarProblem.h"
 #include "benchmark/TestPlanners.h"
 #include "ompl_mfa/benchmark/Campaign.h"
+#include "ompl_mfa/benchmark/ResultsDatabase.h"
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -63,13 +64,13 @@ namespace ompl_mfa::benchmark
         template <class T>
         CampaignPlanner entry(const std::string &name)
         {
-            return {name, [] { return planarProblem(); },
+            return {name, [](std::size_t) { return planarProblem(); },
                     [](const ob::SpaceInformationPtr &si) { return std::make_shared<T>(si); }};
         }
 
         CampaignPlanner hostile(const std::string &name, const ob::PlannerAllocator &allocator)
         {
-            return {name, [] { return planarProblem(); }, allocator};
+            return {name, [](std::size_t) { return planarProblem(); }, allocator};
         }
 
         int shell(const std::string &command)
@@ -136,7 +137,7 @@ namespace ompl_mfa::benchmark
                 options.log = folder_ / (name + ".log");
                 options.grace = 0.3;
                 options.overwrite = true;
-                Campaign(description).run(options);
+                addToDatabase(folder_ / "own.db", Campaign(description).run(options).log);
             }
 
             /* The result of a query, columns separated by '|', rows by line breaks. */
@@ -174,6 +175,33 @@ namespace ompl_mfa::benchmark
                         line.rfind("Matplotlib", 0) == 0)
                 << line;
         }
+    }
+
+    TEST_F(StatisticsTest, OurDatabaseIsThatOfTheConverter)
+    {
+        const std::filesystem::path script = folder_ / "compare.py";
+        std::ofstream(script) << R"PY(
+import sqlite3, sys
+
+def rows(file, table):
+    """All rows as dictionaries from columns to values, and the types of the columns."""
+    database = sqlite3.connect(file)
+    types = {row[1]: row[2] for row in database.execute(f"PRAGMA table_info({table})")
+    }
+    names = sorted(types)
+    return [dict(zip(names, row)) for row in database.execute(
+        "SELECT %s FROM %s ORDER BY rowid" % (",".join('"%s"' % name for name in names), table))], types
+
+for table in ("experiments", "plannerConfigs", "enums", "runs", "progress"):
+    ours, own_types = rows(sys.argv[1], table)
+    theirs, their_types = rows(sys.argv[2], table)
+    print(table, own_types == their_types, ours == theirs, len(theirs) > 0)
+)PY";
+        shell("python3 " + script.string() + " " + (folder_ / "own.db").string() + " " + (folder_ / "out.db").string() +
+              " >" + (folder_ / "answer").string() + " 2>&1");
+        EXPECT_EQ(textOf(folder_ / "answer"),
+                  "experiments True True True\nplannerConfigs True True True\n"
+                  "enums True True True\nruns True True True\nprogress True True True\n");
     }
 
     TEST_F(StatisticsTest, ExperimentsAndPlannersAreAllThere)

@@ -4,8 +4,6 @@
 planner_arena.py PROGRAM SOURCE_DIR [SCREENSHOT_DIR]: runs a campaign with PROGRAM; exit status 77 if a
 required program is not installed. planner_arena.py --database FILE.db SOURCE_DIR [SCREENSHOT_DIR] opens FILE.db.
 """
-import base64
-import json
 import os
 import shutil
 import signal
@@ -15,9 +13,10 @@ import subprocess
 import sys
 import tempfile
 import time
-import urllib.request
 
-SKIPPED = 77
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from browser import Browser, free_port, skip, wait_for
+
 CONFIG = """[problem]
 name = arena
 world = {source}/benchmarks/worlds/paper_scene.yaml
@@ -69,70 +68,6 @@ for (let x = 0; x <= right; ++x) {
 }
 return {width: canvas.width, groups: groups, counts: counts};
 """
-
-
-def skip(reason):
-    print("skipped:", reason)
-    sys.exit(SKIPPED)
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
-def wait_for(what, condition, seconds=90):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        result = condition()
-        if result:
-            return result
-        time.sleep(0.3)
-    raise AssertionError("gave up waiting for " + what)
-
-
-class Browser:
-    """Chromium through chromedriver's own protocol; no client library is needed."""
-
-    def __init__(self, folder):
-        self.port = free_port()
-        self.driver = subprocess.Popen(["chromedriver", f"--port={self.port}"], stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.DEVNULL, start_new_session=True)
-        wait_for("chromedriver", self.is_up)
-        options = {"args": ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-                            "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                            f"--user-data-dir={folder}/profile", "--window-size=1250,1000"]}
-        answer = self.call("POST", "/session", {"capabilities": {"alwaysMatch": {"goog:chromeOptions": options}}})
-        self.session = "/session/" + answer["sessionId"]
-
-    def is_up(self):
-        try:
-            return self.call("GET", "/status")["ready"]
-        except OSError:
-            return False
-
-    def call(self, method, path, content=None):
-        request = urllib.request.Request(f"http://127.0.0.1:{self.port}{path}", method=method,
-                                         data=None if content is None else json.dumps(content).encode())
-        with urllib.request.urlopen(request, timeout=120) as response:
-            return json.load(response)["value"]
-
-    def go(self, address):
-        self.call("POST", self.session + "/url", {"url": address})
-
-    def run(self, script, *arguments):
-        return self.call("POST", self.session + "/execute/sync", {"script": script, "args": list(arguments)})
-
-    def screenshot(self, file):
-        with open(file, "wb") as image:
-            image.write(base64.b64decode(self.call("GET", self.session + "/screenshot")))
-
-    def close(self):
-        try:
-            self.call("DELETE", self.session)
-        finally:
-            os.killpg(self.driver.pid, signal.SIGKILL)
 
 
 def missing_requirement():

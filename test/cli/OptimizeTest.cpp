@@ -152,6 +152,11 @@ namespace ompl_mfa::cli
         EXPECT_EQ(runProgram("--help").status, 0);
         EXPECT_NE(runProgram("--help").out.find("optimize"), std::string::npos);
         EXPECT_EQ(runProgram("--version").status, 0);
-        EXPECT_EQ(runProgram("--version").out.rfind("ompl_mfa ", 0), 0U);
+        const std::string version = runProgram("--version").out;
+        EXPECT_EQ(version.rfind("ompl_mfa ", 0), 0U);
+        for (const char *library : {"\nOMPL ", "\nFCL ", "\nEigen "})
+        {
+            EXPECT_NE(version.find(library), std::string::npos) << version;
+        }
     }
 }  // namespace ompl_mfa::cli

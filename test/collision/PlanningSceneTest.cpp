@@ -41,6 +41,7 @@
 #include <octomap/ColorOcTree.h>
 #include <octomap/octomap.h>
 
+#include "collision/PlanningSceneFixture.h"
 #include "collision/TestFiles.h"
 #include "ompl_mfa/collision/TriangleMesh.h"
 
@@ -48,35 +49,6 @@ namespace ompl_mfa::collision
 {
     namespace
     {
-        class PlanningSceneTest : public ::testing::Test
-        {
-        protected:
-            Scene load(const std::string &text) const
-            {
-                return loadPlanningScene(folder_.write("scene.yaml", text));
-            }
-
-            // One obstacle with the given shapes, from line 4 on.
-            Scene loadObject(const std::string &lines) const
-            {
-                return load("world:\n  collision_objects:\n    - id: thing\n" + lines);
-            }
-
-            template <typename... Parts>
-            void expectFault(const std::string &text, const Parts &...parts) const
-            {
-                expectInputError([&] { load(text); }, "scene.yaml", parts...);
-            }
-
-            template <typename... Parts>
-            void expectObjectFault(const std::string &lines, const Parts &...parts) const
-            {
-                expectInputError([&] { loadObject(lines); }, "scene.yaml", parts...);
-            }
-
-            TemporaryFolder folder_;
-        };
-
         TEST_F(PlanningSceneTest, ReadsPrimitivesInBothSpellingsOfMoveIt)
         {
             const Scene scene = load(
@@ -550,103 +522,6 @@ is_diff: false
             const std::string warning = standardErrorOf([this] { load("is_diff: true\n" + boxInFrame("")); });
             EXPECT_EQ(countOf("Warning:", warning), 1U) << warning;
             EXPECT_NE(warning.find("is_diff"), std::string::npos) << warning;
-        }
-
-        TEST_F(PlanningSceneTest, TakesTheDimensionsOfAMeshAsItsScale)
-        {
-            folder_.write("cube.obj", cubeObj());
-            const Scene scene = loadObject("      meshes: [{resource: cube.obj, dimensions: [2, 3, 4]}]\n");
-            EXPECT_TRUE(scene.bounds().max_.isApprox(fcl::Vector3d(1., 1.5, 2.)));
-            expectObjectFault("      meshes: [{resource: cube.obj, dimensions: [2, 3, 4], scale: 2}]\n", ":4",
-                              "dimensions", "scale");
-            expectObjectFault("      meshes: [{resource: cube.obj, dimensions: [2, 0, 4]}]\n", ":4", "dimensions",
-                              "greater than 0");
-        }
-
-        class MeshResourceTest : public PlanningSceneTest
-        {
-        protected:
-            MeshResourceTest()
-            {
-                std::filesystem::create_directories(folder_.path() / "scenes");
-                std::filesystem::create_directories(folder_.path() / "my_robot" / "meshes dir");
-                folder_.write("my_robot/meshes dir/cube.obj", cubeObj());
-                unsetenv("OMPL_MFA_RESOURCE_DIR");
-            }
-
-            ~MeshResourceTest() override
-            {
-                unsetenv("OMPL_MFA_RESOURCE_DIR");
-            }
-
-            std::filesystem::path sceneOf(const std::string &resource) const
-            {
-                return folder_.write(
-                    "scenes/scene.yaml",
-                    "world:\n  collision_objects:\n    - id: thing\n      meshes: [{resource: '" + resource + "'}]\n");
-            }
-        };
-
-        TEST_F(MeshResourceTest, AreSoughtInPackageFolders)
-        {
-            const auto scene = sceneOf("package://my_robot/meshes dir/cube.obj");
-            expectInputError([&] { loadPlanningScene(scene); }, "scene.yaml:4", "resource",
-                             "package://my_robot/meshes dir/cube.obj", "sought", "OMPL_MFA_RESOURCE_DIR");
-            setenv("OMPL_MFA_RESOURCE_DIR", ("/nowhere:" + folder_.path().string()).c_str(), 1);
-            EXPECT_EQ(loadPlanningScene(scene).objects().size(), 1U);
-            // The folder of the package itself may be given too.
-            setenv("OMPL_MFA_RESOURCE_DIR", (folder_.path() / "my_robot").c_str(), 1);
-            EXPECT_EQ(loadPlanningScene(scene).objects().size(), 1U);
-        }
-
-        TEST_F(MeshResourceTest, MayBeAddresses)
-        {
-            const std::string folder = folder_.path().string();
-            EXPECT_EQ(
-                loadPlanningScene(sceneOf("file://" + folder + "/my_robot/meshes%20dir/cube.obj")).objects().size(),
-                1U);
-            EXPECT_EQ(loadPlanningScene(sceneOf("../my_robot/meshes dir/cube.obj")).objects().size(), 1U);
-            expectInputError([&] { loadPlanningScene(sceneOf("http://example.org/cube.obj")); }, "scene.yaml:4", "http",
-                             "package://");
-            expectInputError([&] { loadPlanningScene(sceneOf("package://my_robot")); }, "scene.yaml:4", "package://");
-        }
-
-        // A pillar of height 4 along z, in metres or in another unit, with the up axis that its tool declares.
-        std::string pillarDae(const std::string &up, const std::string &metres)
-        {
-            return R"(<?xml version="1.0"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
- <asset><unit name="u" meter=")" +
-                   metres + R"("/><up_axis>)" + up + R"(</up_axis></asset>
- <library_geometries><geometry id="g"><mesh>
-  <source id="p"><float_array id="a" count="12">0 0 0 1 0 0 0 1 0 0 0 4</float_array>
-   <technique_common><accessor source="#a" count="4" stride="3">
-    <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
-   </accessor></technique_common></source>
-  <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-  <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 1 2 3 2 0 3</p></triangles>
- </mesh></geometry></library_geometries>
- <library_visual_scenes><visual_scene id="s">
-  <node id="n"><translate>10 0 0</translate><instance_geometry url="#g"/></node>
- </visual_scene></library_visual_scenes>
- <scene><instance_visual_scene url="#s"/></scene>
-</COLLADA>)";
-        }
-
-        TEST_F(PlanningSceneTest, LeavesMeshesUprightAsMoveItDoes)
-        {
-            for (const std::string up : {"X_UP", "Y_UP", "Z_UP"})
-            {
-                for (const std::string metres : {"1", "0.001"})
-                {
-                    folder_.write("pillar.dae", pillarDae(up, metres));
-                    const Scene scene = loadObject("      meshes: [{resource: pillar.dae}]\n");
-                    EXPECT_TRUE(scene.bounds().min_.isApprox(fcl::Vector3d(10., 0., 0.)))
-                        << up << ' ' << metres << ": " << scene.bounds().min_.transpose();
-                    EXPECT_TRUE(scene.bounds().max_.isApprox(fcl::Vector3d(11., 1., 4.)))
-                        << up << ' ' << metres << ": " << scene.bounds().max_.transpose();
-                }
-            }
         }
     }  // namespace
 }  // namespace ompl_mfa::collision

@@ -36,6 +36,7 @@
 
 #include "engine/Streams.h"
 
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <set>
@@ -55,10 +56,12 @@ namespace ompl_mfa::engine
 {
     namespace
     {
-        constexpr Stream STREAMS[] = {
-            Stream::Trees,     Stream::Roadmap, Stream::Tightening, Stream::NewTightening,   Stream::DraftTightening,
-            Stream::BestDraft, Stream::Repair,  Stream::PathSwarm,  Stream::SwarmTightening, Stream::LocalTrees,
-            Stream::Swarm,     Stream::Detours, Stream::GoalSearch};
+        constexpr Stream STREAMS[] = {Stream::Trees,         Stream::Roadmap,         Stream::Tightening,
+                                      Stream::NewTightening, Stream::DraftTightening, Stream::BestDraft,
+                                      Stream::Repair,        Stream::PathSwarm,       Stream::SwarmTightening,
+                                      Stream::LocalTrees,    Stream::Swarm,           Stream::Detours,
+                                      Stream::GoalSearch,    Stream::Mending,         Stream::Successor,
+                                      Stream::Strict,        Stream::StrictTightening};
 
         std::string name(std::uint64_t run, Stream stream, std::uint64_t index)
         {
@@ -94,6 +97,38 @@ namespace ompl_mfa::engine
                 }
             }
             EXPECT_EQ(first.size(), 4U * std::size(STREAMS) * 30U * 6U);
+        }
+
+        /* Another number gives other results of a seeded run: those that were published could not be repeated. A new
+           stream takes a number that no other has or had. */
+        TEST(Streams, KeepTheirNumbers)
+        {
+            const std::pair<Stream, std::uint64_t> numbers[] = {{Stream::Trees, 0},
+                                                                {Stream::Roadmap, 1},
+                                                                {Stream::Tightening, 2},
+                                                                {Stream::NewTightening, 3},
+                                                                {Stream::Swarm, 6},
+                                                                {Stream::Detours, 7},
+                                                                {Stream::GoalSearch, 8},
+                                                                {Stream::Epoch, 9},
+                                                                {Stream::Recombination, 10},
+                                                                {Stream::DraftTightening, 11},
+                                                                {Stream::BestDraft, 12},
+                                                                {Stream::Repair, 13},
+                                                                {Stream::PathSwarm, 14},
+                                                                {Stream::SwarmTightening, 15},
+                                                                {Stream::LocalTrees, 16},
+                                                                {Stream::Strict, 17},
+                                                                {Stream::StrictTightening, 18},
+                                                                {Stream::Mending, 19},
+                                                                {Stream::Successor, 20}};
+            for (const auto &[stream, number] : numbers)
+            {
+                EXPECT_EQ(static_cast<std::uint64_t>(stream), number);
+                EXPECT_EQ(streamSeed(7, stream, 3), deriveSeed(7, number, 3));
+            }
+            EXPECT_EQ(std::size(numbers), std::size(STREAMS) + 2);  // and the two of a swarm
+            EXPECT_EQ(streamSeed(1, Stream::Swarm, 2), 4176234653059138083U);
         }
 
         using Point = std::pair<double, double>;

@@ -36,6 +36,7 @@
 
 /* Inputs of the optimiser: orders of brightness, injected points, settings and boxes. */
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -88,6 +89,48 @@ namespace ompl_mfa
             EXPECT_TRUE(optimizer.bestBrightness().isFeasible());
             EXPECT_NEAR(optimizer.best()[0], 1.0, 1e-2);
             EXPECT_LE(optimizer.best()[0], 1.0);
+        }
+
+        TEST(FireflyInputs, EveryPointIsPreparedBeforeItIsEvaluated)
+        {
+            class Prepared : public ObjectiveFunction
+            {
+            public:
+                void prepare(const Eigen::Ref<const Eigen::MatrixXd> &points, const std::vector<bool> &wanted) override
+                {
+                    ASSERT_EQ(static_cast<std::size_t>(points.cols()), wanted.size());
+                    points_.clear();
+                    for (Eigen::Index i = 0; i < points.cols(); ++i)
+                    {
+                        if (wanted[static_cast<std::size_t>(i)])
+                        {
+                            points_.emplace_back(points.col(i));
+                        }
+                    }
+                }
+
+                Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness * /*rival*/) override
+                {
+                    unprepared += std::find(points_.begin(), points_.end(), x) == points_.end() ? 1 : 0;
+                    return {0.0, x.squaredNorm()};
+                }
+
+                int unprepared{0};
+
+            private:
+                std::vector<Eigen::VectorXd> points_;
+            };
+            for (const Variant variant : {Variant::FA, Variant::MFA})
+            {
+                Prepared objective;
+                FireflyOptimizer optimizer(small(variant, 8, 10), constant(3, -3.0), constant(3, 10.0), 4);
+                for (int t = 0; t <= 10; ++t)
+                {
+                    optimizer.step(objective, never);
+                }
+                EXPECT_EQ(objective.unprepared, 0);
+                EXPECT_GT(optimizer.evaluations(), 50U);
+            }
         }
 
         TEST(FireflyInputs, OrdersAsTheObjectiveSays)

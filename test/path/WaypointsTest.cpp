@@ -107,6 +107,16 @@ namespace ompl_mfa::path
             EXPECT_NE(path[0], state.get());
         }
 
+        TEST_F(WaypointsTest, AreEqualIfAllStatesAre)
+        {
+            EXPECT_TRUE(make({1.0, 2.0}).equals(make({1.0, 2.0})));
+            EXPECT_TRUE(make({}).equals(make({})));
+            EXPECT_FALSE(make({1.0, 2.0}).equals(make({1.0, 2.5})));
+            EXPECT_FALSE(make({1.0, 2.0}).equals(make({2.0, 1.0})));
+            EXPECT_FALSE(make({1.0, 2.0}).equals(make({1.0})));
+            EXPECT_FALSE(make({}).equals(make({1.0})));
+        }
+
         TEST_F(WaypointsTest, FrontAndBackAreTheEnds)
         {
             const Waypoints path = make({1.0, 2.0, 3.0});

@@ -271,6 +271,7 @@ namespace ompl_mfa::planner
                 EXPECT_EQ(accepts(planner_, "slices", [&] { planner_.setSlices(n); }), n >= 1 && n <= 1000);
                 EXPECT_EQ(accepts(planner_, "generations", [&] { planner_.setGenerations(n); }), n >= 1 && n <= 100000);
                 EXPECT_EQ(accepts(planner_, "threads", [&] { planner_.setThreads(n); }), n >= 1 && n <= 64);
+                EXPECT_EQ(accepts(planner_, "strictness", [&] { planner_.setStrictness(n); }), n >= 1 && n <= 64);
                 EXPECT_TRUE(accepts(planner_, "seed", [&] { planner_.setSeed(n); }));
             }
             for (const std::string word : {"mfa", "fa", "none", "trees", "roadmap", "both", "equations", "detours", ""})

@@ -223,7 +223,9 @@ namespace ompl_mfa::planner
             ASSERT_GT(paths.size(), 1U);
             if (GetParam() == test::PlannerVariant::Default)
             {
-                EXPECT_DOUBLE_EQ(paths[0].length(), planner_->bestCost());
+                // the path to return is made from it and may be slightly longer, see the parameter strictness
+                EXPECT_LE(paths[0].length(), planner_->bestCost() * (1.0 + 1e-12));
+                EXPECT_NEAR(paths[0].length(), planner_->bestCost(), 0.01 * planner_->bestCost());
                 for (std::size_t i = 1; i < paths.size(); ++i)
                 {
                     EXPECT_LE(paths[i - 1].length(), paths[i].length());

@@ -98,6 +98,7 @@ namespace ompl_mfa::planner
             }
 
             std::atomic<bool> refusesHelpers_{false};
+            std::atomic<double> top_{6.0};  ///< of the wall
             std::thread::id caller_{std::this_thread::get_id()};
             test::SlowProblem problem_{test::realVectorSpace(2, 0.0, 10.0), std::get<1>(GetParam()),
                                        std::chrono::microseconds(5),
@@ -108,7 +109,7 @@ namespace ompl_mfa::planner
                                                throw std::domain_error("a checker for one thread");
                                            }
                                            const double x = test::coordinate(state, 0);
-                                           return x <= 4.5 || x >= 5.5 || test::coordinate(state, 1) >= 6.0;
+                                           return x <= 4.5 || x >= 5.5 || test::coordinate(state, 1) >= top_;
                                        }};
             ob::ProblemDefinitionPtr pdef_{std::make_shared<ob::ProblemDefinition>(problem_.si)};
         };
@@ -138,6 +139,30 @@ namespace ompl_mfa::planner
             EXPECT_EQ(run(3, 2500), one);
             EXPECT_EQ(run(2, 2500), one);
             EXPECT_LE(problem_.mostInside, 3U);
+        }
+
+        TEST_P(ParallelPlanning, SoIsARunInAWorldThatChanges)
+        {
+            const auto costs = [this](unsigned int threads)
+            {
+                std::vector<double> result;
+                const auto mfa = planner(threads);
+                for (const double top : {6.0, 7.0, 4.0})
+                {
+                    top_ = top;
+                    mfa->validityChanged();
+                    pdef_->clearSolutionPaths();
+                    mfa->solve(test::afterCalls(1500));
+                    result.push_back(mfa->bestCost());
+                    result.push_back(static_cast<double>(mfa->evaluations()));
+                    EXPECT_TRUE(pdef_->hasExactSolution());
+                    EXPECT_TRUE(pdef_->getSolutionPath()->check());
+                }
+                return result;
+            };
+            const std::vector<double> one = costs(1);
+            EXPECT_EQ(costs(2), one);
+            EXPECT_EQ(costs(3), one);
         }
 
         TEST_P(ParallelPlanning, SeveralThreadsAreInTheCheckerAtOnce)

@@ -37,6 +37,7 @@
 #ifndef OMPL_MFA_BENCHMARK_CAMPAIGN_
 #define OMPL_MFA_BENCHMARK_CAMPAIGN_
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -77,12 +78,15 @@ namespace ompl_mfa::benchmark
         (Steele, Lea and Flood, 2014) for the state base + (run + 1) 0x9e3779b97f4a7c15, folded to [1, 2^31 - 1]. */
     OMPL_MFA_EXPORT std::uint32_t runSeed(std::uint64_t base, unsigned int run);
 
-    /** \brief One planner of a campaign, with its problem. */
+    /** \brief Makes the problem of this number, from 0, of a campaign's set. Called as a ProblemAllocator. */
+    using NumberedProblemAllocator = std::function<ompl::geometric::SimpleSetupPtr(std::size_t)>;
+
+    /** \brief One planner of a campaign, with its problems. */
     struct CampaignPlanner
     {
         /** \brief Unique in its campaign. Logs add OMPL's prefix "geometric_". */
         std::string name;
-        ProblemAllocator makeProblem;
+        NumberedProblemAllocator makeProblem;
         ompl::base::PlannerAllocator makePlanner;
     };
 
@@ -92,7 +96,11 @@ namespace ompl_mfa::benchmark
         std::string name;
         std::vector<CampaignPlanner> planners;
         RunSettings settings;
+        /** \brief Runs of each planner, over all problems. */
         unsigned int runCount{100};
+        /** \brief One entry per problem of a set: the properties that its runs have in logs. Run k of every planner is
+           of problem k modulo their number. If empty, there is one problem. */
+        std::vector<LogProperties> problems;
         /** \brief Run k of every planner has the seed runSeed(seed, k). */
         std::uint64_t seed{1};
         SavePaths savePaths{SavePaths::None};

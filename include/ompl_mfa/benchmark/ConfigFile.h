@@ -41,6 +41,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -49,6 +50,7 @@
 #include "ompl_mfa/Export.h"
 #include "ompl_mfa/benchmark/ConfigLines.h"
 #include "ompl_mfa/collision/FclMotionValidator.h"
+#include "ompl_mfa/maps/ObstacleGrid.h"
 
 namespace ompl_mfa::benchmark
 {
@@ -70,9 +72,10 @@ namespace ompl_mfa::benchmark
     {
         File,  ///< a mesh or planning scene
         Point,
-        Disc,    ///< with robot.radius
-        Sphere,  ///< with robot.radius
-        Arm      ///< a URDF file
+        Disc,       ///< with robot.radius
+        Sphere,     ///< with robot.radius
+        Footprint,  ///< a polygon on a map, with robot.footprint
+        Arm         ///< a URDF file
     };
 
     /** \brief The objective, or a term of a weighted sum. */
@@ -81,8 +84,10 @@ namespace ompl_mfa::benchmark
         Length,
         MaxMinClearance,  ///< not as a term
         MechanicalWork,
-        Proximity,  ///< only as a term
-        Weighted    ///< the sum of the problem's objectiveWeights
+        ClearanceCost,  ///< length weighted by Nav2's inflation, on a map
+        Proximity,      ///< only as a term
+        Smoothness,     ///< only as a term, in SE2
+        Weighted        ///< the sum of the problem's objectiveWeights
     };
 
     /** \brief How valid states are sampled. */
@@ -155,18 +160,38 @@ namespace ompl_mfa::benchmark
         double padding{0.0};
     };
 
+    /** \brief Corners of a polygon: x and y. */
+    using FootprintCorners = std::vector<std::array<double, 2>>;
+
+    /** \brief A range of the problems of a scenario, which are counted from 0. */
+    struct ScenarioIndices
+    {
+        std::size_t first{0};
+        /** \brief All from `first` on if not set. */
+        std::size_t last{std::numeric_limits<std::size_t>::max()};
+    };
+
     /** \brief The section [problem]. */
     struct ProblemConfig
     {
         /** \brief The stem of the config's file name if not given. A valid file name, see isFileName(). */
         std::string name;
-        /** \brief A mesh, a scene or an OctoMap; the world is empty if it is not given. */
+        /** \brief A mesh, a scene, an OctoMap or a map; the world is empty if it is not given. */
         std::optional<ConfigEntry> world;
+        /** \brief Only for maps, where unknown cells are occupied if it is not set. */
+        std::optional<Given<maps::UnknownCells>> unknownCells;
         RobotKind robotKind{RobotKind::File};
         /** \brief As written: a file name, or the keyword of another kind. */
         ConfigEntry robot;
         /** \brief Radius of a `disc` or `sphere` robot, world units. */
         double robotRadius{0.0};
+        /** \brief Set exactly for a `footprint`, in its own frame and world units. */
+        std::optional<Given<FootprintCorners>> footprint;
+        /** \brief Distance by which a footprint is enlarged, world units. */
+        double padding{0.0};
+        /** \brief A MovingAI scenario, whose problems replace the positions of start and goal. */
+        std::optional<ConfigEntry> scenario;
+        Given<ScenarioIndices> scenarioIndices;
         StateSpaceKind space{StateSpaceKind::SE2};
         /** \brief Turning radius of Dubins and Reeds-Shepp spaces, world units. */
         double turningRadius{1.0};
@@ -181,11 +206,18 @@ namespace ompl_mfa::benchmark
         /** \brief If empty the problem has no objective: each planner uses its default, and those that do not optimize
             stop at their first path. */
         std::optional<ObjectiveKind> objective;
+        /** \brief "FILE:LINE" of the objective, for errors. */
+        std::string objectiveOrigin;
         /** \brief Cost at which an optimizing planner may stop; the objective's default if not set. */
         std::optional<double> objectiveThreshold;
+        /** \brief Settings of ClearanceCost; the inscribed radius is the robot's if not set. */
+        double costScalingFactor{3.0};
+        std::optional<double> inscribedRadius;
+        double costPenalty{2.0};
         /** \brief objective.weight.NAME, in the order written; nonempty exactly if the objective is `weighted`. */
         std::vector<std::pair<ObjectiveKind, double>> objectiveWeights;
-        Given<collision::MotionValidation> motionValidation{collision::MotionValidation::Discrete, {}};
+        /** \brief Motions on a map are checked continuously if it is not set, those in other worlds discretely. */
+        std::optional<Given<collision::MotionValidation>> motionValidation;
         collision::MeshInterior meshInterior{collision::MeshInterior::Free};
         /** \brief For all planners. */
         ContextConfig context;

@@ -40,6 +40,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <ompl/geometric/SimpleSetup.h>
 
@@ -47,11 +48,15 @@
 #include "ompl_mfa/benchmark/ConfigFile.h"
 #include "ompl_mfa/collision/RigidBody.h"
 #include "ompl_mfa/collision/Scene.h"
+#include "ompl_mfa/maps/Footprint.h"
+#include "ompl_mfa/maps/ObstacleGrid.h"
+#include "ompl_mfa/maps/Scenario.h"
 #include "ompl_mfa/robots/RobotProblem.h"
 
 namespace ompl_mfa::benchmark
 {
-    /** \brief Makes the problems of one config. World and robot are loaded once and shared by all of them. */
+    /** \brief Makes the problems of one config. World and robot are loaded once and shared by all of them and by copies
+        of the factory. */
     class OMPL_MFA_EXPORT ProblemFactory
     {
     public:
@@ -64,13 +69,13 @@ namespace ompl_mfa::benchmark
             return config_;
         }
 
-        /** \brief Empty if the config names no world. */
+        /** \brief Empty if the config names no world, or a map. */
         const collision::Scene &world() const
         {
             return *world_;
         }
 
-        /** \brief The rigid body that moves; not for an arm. */
+        /** \brief The rigid body that moves; not for an arm. On a map, a ball that holds the footprint. */
         const collision::RigidBody &robot() const
         {
             return robot_.value();
@@ -81,6 +86,28 @@ namespace ompl_mfa::benchmark
         {
             return arm_.get();
         }
+
+        /** \brief Null if the world is not a map. */
+        const maps::ObstacleGrid *map() const
+        {
+            return map_.get();
+        }
+
+        /** \brief The robot on a map; a point in other worlds. */
+        const maps::Footprint &footprint() const
+        {
+            return footprint_;
+        }
+
+        /** \brief The problems that a scenario gives; empty without a scenario. */
+        const std::vector<maps::ScenarioProblem> &problems() const
+        {
+            return problems_;
+        }
+
+        /** \brief Makes problem \e number < problems().size() the one that create() makes: start and goal of config()
+            become its own. Initially it is the first. */
+        void select(std::size_t number);
 
         /** \brief A new problem, set up except for its planner. \e plannerContext overrides the context of the config
             for this problem only.
@@ -95,9 +122,14 @@ namespace ompl_mfa::benchmark
 
     private:
         ompl::geometric::SimpleSetupPtr createArm(const ContextConfig &context) const;
+        void setChecking(const ompl::base::SpaceInformationPtr &si) const;
+        ompl::base::RealVectorBounds bounds() const;
 
         BenchmarkConfig config_;
         std::shared_ptr<const robots::RobotProblem> arm_;
+        std::shared_ptr<const maps::ObstacleGrid> map_;
+        maps::Footprint footprint_;
+        std::vector<maps::ScenarioProblem> problems_;
         std::shared_ptr<const collision::Scene> world_;
         std::optional<collision::RigidBody> robot_;
     };

@@ -318,8 +318,11 @@ namespace ompl_mfa
         /** \brief d x N: the new positions of the fireflies in this generation. */
         Eigen::MatrixXd moved_;
 
-        /** \brief Which fireflies are still to be evaluated at moved_. */
+        /** \brief Which fireflies are still to be evaluated at moved_; all before the first generation. */
         std::vector<bool> moves_;
+
+        /** \brief Settings::trialVectors. */
+        std::vector<bool> trialsWanted_;
 
         /** \brief d x 5: the trial vectors of eqs. (8)-(12) for firefly cursor_. */
         Eigen::MatrixXd trials_;

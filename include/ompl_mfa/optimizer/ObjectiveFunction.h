@@ -38,6 +38,7 @@
 #define OMPL_MFA_OPTIMIZER_OBJECTIVE_FUNCTION_
 
 #include <limits>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -74,6 +75,14 @@ namespace ompl_mfa
             If a \e rival is given, the caller needs \e x only if it is brighter: as soon as it is known not to be,
             the evaluation may stop and return a default-constructed Brightness (infinitely dim). */
         virtual Brightness evaluate(const Eigen::Ref<const Eigen::VectorXd> &x, const Brightness *rival) = 0;
+
+        /** \brief Called before some columns of \e points (d x k), those where \e wanted (k) is true, are evaluated one
+            after the other, so that an objective can compute many values at once. Fewer may be evaluated, none is if
+            the optimiser is interrupted, and after an interruption the call may be repeated. */
+        virtual void prepare(const Eigen::Ref<const Eigen::MatrixXd> & /*points*/,
+                             const std::vector<bool> & /*wanted*/)
+        {
+        }
 
         /** \brief Whether \e a is strictly brighter than \e b: less violation first, then lower cost. Override for
             another order, which must be a strict weak order. */

@@ -72,8 +72,42 @@ namespace ompl_mfa
         /** \brief Throws ompl::Exception if the state space is not supported, naming the subspace, or if its extent is
             not finite. Does not need a problem definition. */
         void setup() override;
+        /** \brief Forgets everything but the parameters, hints that were not used yet included. */
         void clear() override;
+
+        /** \brief For another start or goal in the same world: forgets starts, goals and solutions. The next solve()
+            begins another search with the present parameters. It keeps the roadmap, with what is known of its validity,
+            and joins the former best path, from the point nearest to the new start to the point nearest to the new
+            goal, to these. Also call validityChanged() or clear() if the world has changed. */
         void clearQuery() override;
+
+        /** \brief Adds a path that may help, valid or not, and of any origin, such as an earlier plan, another planner
+           or a path that was drawn. The next solve() joins it to a start and a goal, from the points of it nearest to
+            these, replaces what collides by small trees, tightens it, and adds it to the swarm's population. No state
+           or motion of it is taken to be valid without a check, and a path that cannot be made valid has no effect. In
+           the paper's algorithm it becomes a firefly of the first generation of a swarm if it crosses all of its
+            slices; added later, or otherwise, it is ignored.
+
+            The states are copied. The path may be of another space information, whose space must have the same
+            structure (types and dimensions). Hints are kept until the next solve(); clear() forgets them. Not to be
+            called during solve(). Throws ompl::Exception if there is no state, a coordinate is not finite, or the
+            structure of the space is different; then nothing is added. */
+        void addPathHint(const ompl::geometric::PathGeometric &path);
+
+        /** \brief The same. Also throws ompl::Exception if \e path is null or not a PathGeometric. */
+        void addPathHint(const ompl::base::PathPtr &path);
+
+        /** \brief To be called after the results of the validity checker or the motion validator have changed, not
+           during solve(). From now on no path has a cost: bestCost() is infinite, and planner data is empty. The next
+           solve() checks the best path first, repairs it where it collides, and resumes from there; what is left of the
+            roadmap and of the population is checked again when it is needed. It reads starts and goals again, also
+           those that were invalid, and uses the present parameters. Costs are computed again for objectives other than
+            length.
+
+            Solutions that were added to the problem definition stay there: call its clearSolutionPaths() before
+            solve(). */
+        void validityChanged();
+
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
         using ompl::base::Planner::solve;
 
@@ -116,6 +150,8 @@ namespace ompl_mfa
         double getStateCheckTime() const;
         void setThreads(unsigned int threads);
         unsigned int getThreads() const;
+        void setStrictness(unsigned int strictness);
+        unsigned int getStrictness() const;
         /** @} */
 
         /** \brief Adds another planner as a guide, which takes turns with the other parts and with the guides that the
@@ -131,7 +167,8 @@ namespace ompl_mfa
             ends of its range. */
         std::vector<ompl::geometric::PathGeometric> getSlicePaths() const;
 
-        /** \brief Cost of the best path so far; infinity before the first. Safe to call while solve() runs. */
+        /** \brief Cost of the path that solve() would return now: the best one that holds at \e strictness times the
+            resolution. Infinity before the first. Safe to call while solve() runs. */
         double bestCost() const;
 
         /** \brief Firefly generations so far. Safe to call while solve() runs. */
@@ -148,7 +185,10 @@ namespace ompl_mfa
         void declareProgress();
         void declareParameters();
         void prepareQuery(const ompl::base::PlannerTerminationCondition &ptc);
+        void beginSearch();
+        void endSearch();
         void forgetSearch();
+        std::uint64_t seedOfSearch();
 
         class Implementation;
         std::unique_ptr<Implementation> implementation_;

@@ -125,6 +125,14 @@ namespace ompl_mfa::engine::fireflies
         findings.paths.push_back(std::move(*firefly));
     }
 
+    void FireflyPart::inherit(SearchPart &predecessor, const Heritage &heritage)
+    {
+        if (heritage.states)
+        {
+            swarms_->inherit(*static_cast<FireflyPart &>(predecessor).swarms_);
+        }
+    }
+
     void FireflyPart::explain(SearchGraph &graph) const
     {
         swarms_->explain(graph);

@@ -58,6 +58,9 @@ namespace ompl_mfa::engine::fireflies
         void advance(std::uint64_t work, Findings &findings) override;
         void explain(SearchGraph &graph) const override;
 
+        /** \brief Takes over the brightest fireflies, as paths for the first generation of new swarms. */
+        void inherit(SearchPart &predecessor, const Heritage &heritage) override;
+
     private:
         void proposeFirefly(Findings &findings);
 

@@ -265,7 +265,7 @@ namespace ompl_mfa::engine::fireflies
         std::vector<std::size_t> candidates;
         for (std::size_t i = 0; i < pool.size(); ++i)
         {
-            if (context_.objective().isCostBetterThan(ob::Cost(pool[i].cost), ob::Cost(pool[member].cost)))
+            if (context_.evaluator().isBetter(pool[i].cost, pool[member].cost))
             {
                 candidates.push_back(i);
             }

@@ -46,8 +46,8 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "engine/SearchPart.h"
-#include "engine/fireflies/LocalTrees.h"
 #include "engine/fireflies/SliceMove.h"
+#include "engine/refinement/LocalTrees.h"
 #include "engine/refinement/PathTightening.h"
 #include "ompl_mfa/optimizer/FireflyOptimizer.h"
 #include "ompl_mfa/optimizer/RandomSource.h"
@@ -130,7 +130,7 @@ namespace ompl_mfa::engine::fireflies
         RandomSource random_;
         ompl::RNG rng_;
         refinement::PathTightening tightening_;
-        LocalTrees trees_;
+        refinement::LocalTrees trees_;
         Window window_;
         std::size_t trials_{0};  ///< of this generation
         std::uint64_t generation_{0};

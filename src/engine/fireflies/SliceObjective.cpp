@@ -110,8 +110,7 @@ namespace ompl_mfa::engine::fireflies
 
     bool SliceObjective::withinBound(double cost) const
     {
-        return !std::isfinite(bound_) ||
-               evaluator_.objective()->isCostBetterThan(ompl::base::Cost(cost), ompl::base::Cost(bound_));
+        return !std::isfinite(bound_) || evaluator_.isBetter(cost, bound_);
     }
 
     /* Stored brightness may have been computed under another bound: it is compared as if under the present one. */

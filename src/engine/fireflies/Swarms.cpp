@@ -51,6 +51,8 @@ namespace ompl_mfa::engine::fireflies
     {
         /* Maximum number of start-goal pairs with a swarm of their own. */
         constexpr std::size_t MAX_SWARMS = 8;
+        /* One in this many of the fireflies of an earlier search is kept. */
+        constexpr std::size_t ELITES = 5;
         /* Work of the guides before the first turn of a swarm. */
         constexpr std::uint64_t FIRST_GUIDES = 50000;
     }  // namespace
@@ -124,7 +126,34 @@ namespace ompl_mfa::engine::fireflies
             straight_.push_back(std::make_unique<Swarm>(
                 std::move(frame), options_.coordinates, context_.evaluator(), options_.fireflies,
                 streamSeed(context_.seed, Stream::Swarm, straight_.size()), validPath));
+            placeFirst(*straight_.back());
         }
+    }
+
+    /* Paths that cross all slices become fireflies, as far as there is room. */
+    void Swarms::placeFirst(Swarm &swarm) const
+    {
+        path::Waypoints onSlices(context_.chart->space());
+        unsigned int placed = 0;
+        for (const std::vector<path::Waypoints> *paths : {&context_.firstFireflies, &first_})
+        {
+            for (const path::Waypoints &path : *paths)
+            {
+                if (placed < options_.fireflies.populationSize && path.size() > 1 &&
+                    swarm.frame().crossings(path, onSlices))
+                {
+                    swarm.inject(onSlices);
+                    ++placed;
+                }
+            }
+        }
+    }
+
+    void Swarms::inherit(const Swarms &predecessor)
+    {
+        const std::vector<path::Waypoints> paths = predecessor.currentPaths();
+        const std::size_t count = (paths.size() + ELITES - 1) / ELITES;
+        first_.assign(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(count));
     }
 
     bool Swarms::fly(std::uint64_t work)
@@ -170,10 +199,9 @@ namespace ompl_mfa::engine::fireflies
             const PathPool &pool = context_.pool;
             std::vector<std::size_t> order(pool.size());
             std::iota(order.begin(), order.end(), 0);
-            std::stable_sort(
-                order.begin(), order.end(),
-                [&](std::size_t a, std::size_t b)
-                { return context_.objective().isCostBetterThan(ob::Cost(pool[a].cost), ob::Cost(pool[b].cost)); });
+            std::stable_sort(order.begin(), order.end(),
+                             [&](std::size_t a, std::size_t b)
+                             { return context_.evaluator().isBetter(pool[a].cost, pool[b].cost); });
             for (const std::size_t i : order)
             {
                 paths.push_back(pool[i].path);

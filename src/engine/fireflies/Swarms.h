@@ -102,6 +102,9 @@ namespace ompl_mfa::engine::fireflies
         /** \brief The best valid firefly over a straight axis since the last call, with its cost, or nothing. */
         std::optional<Proposal> takeFirefly();
 
+        /** \brief Takes over the brightest fifth of the current swarm of \e predecessor as fireflies for new swarms. */
+        void inherit(const Swarms &predecessor);
+
         /** \brief The paths of the current swarm, which is the pool while resting(), brightest first. */
         std::vector<path::Waypoints> currentPaths() const;
 
@@ -110,6 +113,7 @@ namespace ompl_mfa::engine::fireflies
 
     private:
         void layStraight();
+        void placeFirst(Swarm &swarm) const;
         void keepFirefly(const path::Waypoints &path, double cost);
 
         const SearchContext &context_;
@@ -119,6 +123,7 @@ namespace ompl_mfa::engine::fireflies
         std::vector<std::unique_ptr<Swarm>> straight_;
         Swarm *active_{nullptr};  ///< one of straight_
         Proposal firefly_;
+        std::vector<path::Waypoints> first_;  ///< fireflies of an earlier search for swarms not begun yet
     };
 }  // namespace ompl_mfa::engine::fireflies
 

@@ -37,12 +37,14 @@
 #ifndef OMPL_MFA_ENGINE_GRAPH_LAZY_GRAPH_
 #define OMPL_MFA_ENGINE_GRAPH_LAZY_GRAPH_
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "engine/graph/CostQueue.h"
+#include "engine/graph/CostsToGo.h"
+#include "engine/graph/MotionGraph.h"
 #include "path/PathEvaluator.h"
 #include "path/Waypoints.h"
 
@@ -65,6 +67,8 @@ namespace ompl_mfa::engine::graph
     {
     public:
         explicit LazyGraph(path::PathEvaluator &evaluator);
+        LazyGraph(const LazyGraph &) = delete;
+        LazyGraph &operator=(const LazyGraph &) = delete;
 
         /** \brief Removes all vertices and edges but keeps the memory. */
         void clear();
@@ -87,26 +91,40 @@ namespace ompl_mfa::engine::graph
            renumbered from 0. False if the evaluator was interrupted; then nothing is removed. */
         bool retain(const std::vector<bool> &kept);
 
+        /** \brief Takes all vertices and edges of \e other, a graph over the same space and objective, with what is
+            known of them, but no starts and goals. \e other is then empty. */
+        void take(LazyGraph &other);
+
+        /** \brief Forgets what is known of the validity of states and motions, also of motions that retain() removed
+            as invalid: these are edges again if both their vertices are left. */
+        void forgetValidity();
+
+        /** \brief Whether \e vertex was found valid. */
+        bool isValid(std::size_t vertex) const
+        {
+            return graph_.vertices[vertex].validity == MotionGraph::Validity::Valid;
+        }
+
         std::size_t size() const
         {
-            return vertices_.size();
+            return graph_.vertices.size();
         }
 
         /** \brief Number of directed edges. */
         std::size_t edges() const
         {
-            return edges_.size();
+            return graph_.edges.size();
         }
 
         const ompl::base::State *state(std::size_t vertex) const
         {
-            return states_[vertex];
+            return graph_.states[vertex];
         }
 
         /** \brief Whether \e vertex is a start or a goal. */
         bool isEnd(std::size_t vertex) const
         {
-            return vertices_[vertex].start || vertices_[vertex].goal != NONE;
+            return graph_.isEnd(vertex);
         }
 
         /** \brief The start vertices. */
@@ -138,63 +156,26 @@ namespace ompl_mfa::engine::graph
         }
 
     private:
-        enum class Validity : std::uint8_t
-        {
-            Unknown,
-            Screened,  ///< some of its states were checked and are valid
-            Valid,
-            Invalid
-        };
-
-        using Index = std::uint32_t;
-
-        static constexpr Index NONE = std::numeric_limits<Index>::max();
-
-        /* A motion. If the reverse motion exists, it shares the validity. */
-        struct Edge
-        {
-            Index from;
-            Index to;
-            Index check;  ///< index into checks_
-            double cost;
-        };
-
-        struct Vertex
-        {
-            std::vector<Index> out;  ///< indices of outgoing edges
-            std::vector<Index> in;
-            double costToCome{0.0};
-            double costToGo{0.0};
-            Index parent{NONE};          ///< incoming edge on the path from the start, none at a start
-            Index next{NONE};            ///< outgoing edge on the path to the goal, none where the path ends
-            Index goal{NONE};            ///< index into goals_, or none
-            unsigned int expansions{0};  ///< how often the vertex was expanded in the backward search
-            bool start{false};
-            bool reached{false};
-            bool reaches{false};  ///< whether costToGo is known
-            Validity validity{Validity::Unknown};
-        };
-
-        /* The edge from the source to a start or from a goal to the sink. */
-        struct End
-        {
-            Index vertex;
-            double cost;
-        };
+        using Index = MotionGraph::Index;
+        using Edge = MotionGraph::Edge;
+        using Vertex = MotionGraph::Vertex;
+        using End = MotionGraph::End;
+        using Validity = MotionGraph::Validity;
 
         enum class Step : std::uint8_t
         {
-            Begin,  ///< from the source to a start, an index into starts_
-            Move,   ///< along an edge, an index into edges_
-            Finish  ///< from a goal to the sink, an index into goals_
+            Begin,  ///< from the source to a start, an index into the starts
+            Move,   ///< along an edge, an index into the edges
+            Finish  ///< from a goal to the sink, an index into the goals
         };
 
-        struct QueueEntry
+        struct NextStep
         {
-            double key;
             Index index;
             Step step;
         };
+
+        using Queue = CostQueue<NextStep>;
 
         enum class Outcome : std::uint8_t
         {
@@ -207,22 +188,10 @@ namespace ompl_mfa::engine::graph
         };
 
         static std::vector<std::size_t> verticesOf(const std::vector<End> &ends);
-        bool better(double a, double b) const;
-        double combine(double a, double b) const;
-        bool canBeat(double cost, double bound) const;
         bool isWorse(double bound, double than) const;
-        void push(const QueueEntry &entry);
-        QueueEntry pop();
         bool begin(double bound);
-        double bestInitialCost() const;
-        bool seedGoals();
-        bool backwardInOrder();
-        bool backwardBestFirst(double bound);
-        bool backwardInSweeps();
-        bool improvesInCycles();
-        bool relax(Index index);
         Outcome forward(double bound, std::uint64_t limit);
-        Outcome take(const QueueEntry &entry, double bound, std::uint64_t limit);
+        Outcome take(const Queue::Entry &entry, double bound, std::uint64_t limit);
         Outcome beginAt(const End &start, double bound);
         Outcome move(Index index, double bound);
         bool checkVertex(Index index);
@@ -232,23 +201,15 @@ namespace ompl_mfa::engine::graph
         void extract(path::Waypoints &path) const;
 
         path::PathEvaluator &evaluator_;
-        path::Waypoints states_;
-        std::vector<Vertex> vertices_;
-        std::deque<Edge> edges_;  ///< a vector would take milliseconds to copy when it grows
-        std::vector<Validity> checks_;
-        std::vector<End> starts_;
-        std::vector<End> goals_;
-        std::vector<QueueEntry> queue_;
-        std::vector<Index> walks_;
-        bool acyclic_{true};  ///< whether every edge leads from an earlier vertex to a later one
-        bool begun_{false};   ///< whether costs-to-go and queue match the present graph
-        bool exact_{true};    ///< whether each cost-to-go is that of a path, so that pruning by it is safe
+        MotionGraph graph_;
+        CostsToGo costsToGo_;
+        Queue queue_;
+        bool begun_{false};  ///< whether costs-to-go and queue match the present graph
         bool exhausted_{false};
         double bound_{0.0};  ///< bound of the last search
         double cost_{0.0};
         Index found_{0};           ///< goal of the last path found
         unsigned int invalid_{0};  ///< motions found invalid since the last backward search
-        std::uint64_t backwardWork_{0};
         std::uint64_t forwardWork_{0};
     };
 }  // namespace ompl_mfa::engine::graph

@@ -68,6 +68,8 @@ namespace ompl_mfa::engine::guides
         /* Work and time (s) of the trees before the roadmap begins if there is no path yet. */
         constexpr std::uint64_t FIRST_TREES = 14000;
         constexpr double FIRST_TREES_TIME = 0.01;
+        /* The same for an inherited roadmap. A search of a large one takes as long as thousands of checks, too. */
+        constexpr std::uint64_t FIRST_TREES_AGAIN = 4000;
 
         constexpr double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
     }  // namespace
@@ -79,13 +81,16 @@ namespace ompl_mfa::engine::guides
       , evaluator_(context.evaluator())
       , sampler_(chart_, evaluator_.bounds(), streamSeed(context.seed, Stream::Roadmap))
       , graph_(evaluator_)
+      , measured_(std::make_shared<const graph::LazyGraph *>(&graph_))
       , nearest_(ompl::tools::SelfConfig::getDefaultNearestNeighbors<std::size_t>(&context.owner))
+      , inherited_{path::Waypoints(chart_->space()), {}, false}
       , firstCapacity_(capacity)
       , pruned_(std::numeric_limits<double>::infinity())
       , sample_(chart_->space()->allocState())
     {
-        nearest_->setDistanceFunction([this](std::size_t a, std::size_t b)
-                                      { return chart_->distance(graph_.state(a), graph_.state(b)); });
+        // the structure may be handed over, so it does not depend on this object
+        nearest_->setDistanceFunction([chart = chart_, graph = measured_](std::size_t a, std::size_t b)
+                                      { return chart->distance((*graph)->state(a), (*graph)->state(b)); });
         renew();
     }
 
@@ -100,6 +105,7 @@ namespace ompl_mfa::engine::guides
         promises_.clear();
         nearest_->clear();
         indexed_ = 0;
+        inherited_.ends.clear();
         starts_ = goals_ = endEdges_ = 0;
         batch_ = missing_ = FIRST_BATCH;
         exhausted_ = found_ = false;
@@ -137,25 +143,49 @@ namespace ompl_mfa::engine::guides
         return vertex;
     }
 
+    /* An inherited roadmap may contain the state already, as an end of the earlier query. */
+    std::size_t RoadmapPart::addEnd(const ob::State *state)
+    {
+        const auto known = std::find_if(
+            inherited_.ends.begin(), inherited_.ends.end(),
+            [&](std::size_t vertex)
+            { return !graph_.isEnd(vertex) && chart_->space()->equalStates(graph_.state(vertex), state); });
+        return known != inherited_.ends.end() ? *known : add(state, UNKNOWN);
+    }
+
     bool RoadmapPart::addEnds()
     {
         const Query &query = context().query;
         const std::size_t before = graph_.edges();
         for (; starts_ < query.starts().size() && !evaluator_.stopped(); ++starts_)
         {
-            graph_.setStart(add(query.starts()[starts_], UNKNOWN));
+            graph_.setStart(addEnd(query.starts()[starts_]));
         }
         for (; goals_ < query.goals().size() && !evaluator_.stopped(); ++goals_)
         {
-            graph_.setGoal(add(query.goals()[goals_], UNKNOWN));
+            graph_.setGoal(addEnd(query.goals()[goals_]));
         }
         endEdges_ += graph_.edges() - before;
         return starts_ == query.starts().size() && goals_ == query.goals().size();
     }
 
+    /* The states of an earlier roadmap come first, then new ones. */
+    bool RoadmapPart::drawState(double bound, double &lowerBound)
+    {
+        if (!inherited_.states.empty())
+        {
+            chart_->space()->copyState(sample_, inherited_.states.back());
+            inherited_.states.resize(inherited_.states.size() - 1);
+            return true;
+        }
+        const Query &query = context().query;
+        const bool drawn = sampler_.sample(query.starts(), query.goals(), bound, sample_);
+        lowerBound = sampler_.lowerBound();
+        return drawn;
+    }
+
     void RoadmapPart::addBatch(double bound, std::uint64_t limit)
     {
-        const Query &query = context().query;
         while (missing_ > 0 && evaluator_.work() < limit && !evaluator_.stopped())
         {
             if (isFull())
@@ -164,11 +194,12 @@ namespace ompl_mfa::engine::guides
                 return;
             }
             evaluator_.addWork(1);
-            if (!sampler_.sample(query.starts(), query.goals(), bound, sample_) || !evaluator_.checkState(sample_))
+            double lowerBound = UNKNOWN;
+            if (!drawState(bound, lowerBound) || !evaluator_.checkState(sample_))
             {
                 continue;
             }
-            add(sample_, sampler_.lowerBound());
+            add(sample_, lowerBound);
             --missing_;
         }
     }
@@ -257,6 +288,7 @@ namespace ompl_mfa::engine::guides
             }
         }
         promises_.resize(size);
+        inherited_.ends.clear();
         nearest_->clear();
         indexed_ = 0;
         return true;
@@ -314,9 +346,14 @@ namespace ompl_mfa::engine::guides
         {
             return Readiness::Idle;
         }
+        if (!afterTrees_ || context().incumbent.hasFinitePath())
+        {
+            return Readiness::Ready;
+        }
         // if checks are cheap, their number says little about the time
-        const bool early = afterTrees_ && !context().incumbent.hasFinitePath() &&
-                           (evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME);
+        const bool early = inherited_.any
+                               ? evaluator_.work() < FIRST_TREES_AGAIN
+                               : evaluator_.work() < FIRST_TREES || context().progress.time() < FIRST_TREES_TIME;
         return early ? Readiness::Waiting : Readiness::Ready;
     }
 
@@ -349,24 +386,65 @@ namespace ompl_mfa::engine::guides
         return false;
     }
 
+    void RoadmapPart::inherit(SearchPart &predecessor, const Heritage &heritage)
+    {
+        auto &earlier = static_cast<RoadmapPart &>(predecessor);
+        if (!heritage.states || earlier.graph_.size() == 0)
+        {
+            return;
+        }
+        inherited_.any = true;
+        batch_ = std::max(FIRST_BATCH, earlier.batch_);
+        renewals_ = earlier.renewals_;
+        if (!heritage.costs)
+        {
+            for (std::size_t v = 0; v < earlier.graph_.size(); ++v)
+            {
+                inherited_.states.append(earlier.graph_.state(v));
+            }
+            missing_ = inherited_.states.size();
+            return;
+        }
+        inherited_.ends = earlier.graph_.starts();
+        const std::vector<std::size_t> goals = earlier.graph_.goals();
+        inherited_.ends.insert(inherited_.ends.end(), goals.begin(), goals.end());
+        graph_.take(earlier.graph_);
+        if (!heritage.validity)
+        {
+            graph_.forgetValidity();
+        }
+        nearest_.swap(earlier.nearest_);
+        measured_.swap(earlier.measured_);
+        *measured_ = &graph_;
+        indexed_ = earlier.indexed_;
+        // the lower bounds were those of the earlier starts and goals
+        promises_.assign(graph_.size(), {UNKNOWN, UNKNOWN, UNKNOWN, 0, 0});
+        missing_ = 0;
+    }
+
     void RoadmapPart::explain(SearchGraph &graph) const
     {
-        const std::size_t first = graph.states.size();
+        // in an inherited roadmap states need not be checked yet
+        std::vector<std::size_t> numbers(graph_.size());
         for (std::size_t v = 0; v < graph_.size(); ++v)
         {
-            graph.states.append(graph_.state(v));
+            numbers[v] = graph.states.size();
+            if (graph_.isValid(v) || graph_.isEnd(v))
+            {
+                graph.states.append(graph_.state(v));
+            }
         }
         for (const auto &[from, to] : graph_.validEdges())
         {
-            graph.edges.emplace_back(first + from, first + to);
+            graph.edges.emplace_back(numbers[from], numbers[to]);
         }
         for (const std::size_t start : graph_.starts())
         {
-            graph.starts.push_back(first + start);
+            graph.starts.push_back(numbers[start]);
         }
         for (const std::size_t goal : graph_.goals())
         {
-            graph.goals.push_back(first + goal);
+            graph.goals.push_back(numbers[goal]);
         }
     }
 }  // namespace ompl_mfa::engine::guides

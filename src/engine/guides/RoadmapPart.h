@@ -81,6 +81,10 @@ namespace ompl_mfa::engine::guides
         Readiness readiness() const override;
         bool search(double bound, std::uint64_t work, path::Waypoints &path) override;
 
+        /** \brief Takes over the roadmap: as it is, without its validity, or, if costs have changed, its states only,
+            which are then added again before new ones are drawn. */
+        void inherit(SearchPart &predecessor, const Heritage &heritage) override;
+
         /** \brief Appends all states of the roadmap, and the motions that searches found valid. */
         void explain(SearchGraph &graph) const override;
 
@@ -96,7 +100,17 @@ namespace ompl_mfa::engine::guides
             std::uint32_t goals;
         };
 
+        /* What is left to do with the roadmap of an earlier search. */
+        struct Inheritance
+        {
+            path::Waypoints states;         ///< to be added again, the last one first
+            std::vector<std::size_t> ends;  ///< vertices that were starts or goals
+            bool any{false};                ///< whether there was one
+        };
+
         bool addEnds();
+        std::size_t addEnd(const ompl::base::State *state);
+        bool drawState(double bound, double &lowerBound);
         void addBatch(double bound, std::uint64_t limit);
         std::size_t add(const ompl::base::State *state, double lowerBound);
         double searchBound(double bound) const;
@@ -112,8 +126,10 @@ namespace ompl_mfa::engine::guides
         path::PathEvaluator &evaluator_;
         InformedSampler sampler_;
         graph::LazyGraph graph_;
-        std::vector<Promise> promises_;  ///< for each vertex
+        std::shared_ptr<const graph::LazyGraph *> measured_;  ///< the graph whose states nearest_ measures
+        std::vector<Promise> promises_;                       ///< for each vertex
         std::shared_ptr<ompl::NearestNeighbors<std::size_t>> nearest_;
+        Inheritance inherited_;
         std::size_t indexed_{0};  ///< number of vertices in nearest_
         std::vector<std::size_t> neighbours_;
         std::size_t firstCapacity_;

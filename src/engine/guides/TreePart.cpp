@@ -43,6 +43,7 @@
 #include <ompl/tools/config/SelfConfig.h>
 
 #include "engine/TurnMeter.h"
+#include "path/TreeStep.h"
 
 namespace ob = ompl::base;
 
@@ -148,15 +149,14 @@ namespace ompl_mfa::engine::guides
             return tree.nearest->nearest(&probe_);
         }
         // nearest-neighbour structures assume a symmetric distance
-        const auto distance = [&](const std::unique_ptr<Vertex> &vertex)
-        { return fromStart ? chart_->distance(vertex->state, state) : chart_->distance(state, vertex->state); };
+        const path::TreeStep grow{*chart_, fromStart};
         evaluator_.addWork(tree.vertices.size());
         evaluator_.addDistances(tree.vertices.size());
         std::size_t best = 0;
-        double bestDistance = distance(tree.vertices[0]);
+        double bestDistance = grow.distance(tree.vertices[0]->state, state);
         for (std::size_t i = 1; i < tree.vertices.size(); ++i)
         {
-            const double d = distance(tree.vertices[i]);
+            const double d = grow.distance(tree.vertices[i]->state, state);
             if (d < bestDistance)
             {
                 bestDistance = d;
@@ -168,24 +168,10 @@ namespace ompl_mfa::engine::guides
 
     TreePart::Extension TreePart::extend(Tree &tree, bool fromStart, const ob::State *target, Vertex *&added)
     {
-        const auto &space = chart_->space();
+        const path::TreeStep grow{*chart_, fromStart};
         Vertex *near = nearest(tree, target, fromStart);
-        const ob::State *from = fromStart ? near->state : target;
-        const ob::State *to = fromStart ? target : near->state;
-        const double distance = chart_->distance(from, to);
-        const bool reach = distance <= range_;
-        if (reach)
-        {
-            space->copyState(step_, target);
-        }
-        else
-        {
-            chart_->interpolate(from, to, fromStart ? range_ / distance : 1.0 - range_ / distance, step_);
-            space->enforceBounds(step_);
-        }
-        const bool valid = fromStart ? evaluator_.checkMotion(near->state, step_)
-                                     : evaluator_.checkState(step_) && evaluator_.checkMotion(step_, near->state);
-        if (!valid)
+        const bool reach = grow.toward(near->state, target, grow.distance(near->state, target), range_, step_);
+        if (!grow.check(evaluator_, near->state, step_))
         {
             return Extension::Trapped;
         }

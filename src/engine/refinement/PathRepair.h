@@ -38,6 +38,7 @@
 #define OMPL_MFA_ENGINE_REFINEMENT_PATH_REPAIR_
 
 #include <cstdint>
+#include <functional>
 
 #include <Eigen/Core>
 
@@ -60,9 +61,18 @@ namespace ompl_mfa::engine::refinement
         PathRepair(const PathRepair &) = delete;
         PathRepair &operator=(const PathRepair &) = delete;
 
+        /** \brief What is known of a motion before it is checked. */
+        enum class Knowledge : unsigned char
+        {
+            Nothing,
+            Valid,       ///< at OMPL's resolution
+            FinelyValid  ///< at the evaluator's fineness
+        };
+        using Known = std::function<Knowledge(const ompl::base::State *from, const ompl::base::State *to)>;
+
         /** \brief Repairs \e path in place; its vertices are assumed to be valid, as is its last state. False if that
-            failed or was interrupted; \e path is then unspecified. */
-        bool repair(path::Waypoints &path);
+            failed or was interrupted; \e path is then unspecified. Motions that are \e known are not checked again. */
+        bool repair(path::Waypoints &path, const Known &known = {});
 
     private:
         /* A run of invalid states on a motion, by the states around it. */
@@ -73,9 +83,18 @@ namespace ompl_mfa::engine::refinement
             unsigned int length;  ///< number of states of the run, at least 1
         };
 
+        bool check(const ompl::base::State *from, const ompl::base::State *to, Knowledge knowledge);
         bool findGap(const path::Waypoints &path, std::size_t motion, unsigned int segments, Gap &gap);
+        bool isValidOn(const path::Waypoints &path, std::size_t motion, unsigned int segments, unsigned int number);
         bool bridge(path::Waypoints &path, std::size_t motion);
         bool findVia(double spread);
+        bool leadsOver(const ompl::base::State *via);
+        void shortenDetour();
+        bool shiftVertices(path::Waypoints &path, std::size_t motion, double spread, double middle);
+        static bool isMovable(const path::Waypoints &path, std::size_t vertex);
+        double lengthAround(const path::Waypoints &path, std::size_t motion, std::size_t first);
+        bool isShiftValid(const path::Waypoints &path, std::size_t motion, std::size_t first, double middle);
+        void shortenShift(const path::Waypoints &path, std::size_t motion, double middle);
         void stateOn(const path::Waypoints &path, std::size_t motion, unsigned int segments, unsigned int number,
                      ompl::base::State *state) const;
 
@@ -84,6 +103,7 @@ namespace ompl_mfa::engine::refinement
         ompl::RNG rng_;
         path::Waypoints states_;
         Eigen::VectorXd step_;
+        double longest_{0.0};  ///< allowed length of a detour
     };
 }  // namespace ompl_mfa::engine::refinement
 

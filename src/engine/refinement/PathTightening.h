@@ -38,15 +38,16 @@
 #define OMPL_MFA_ENGINE_REFINEMENT_PATH_TIGHTENING_
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include <ompl/util/RandomNumbers.h>
 
-#include "engine/refinement/VertexSearch.h"
+#include "engine/refinement/PathShortcuts.h"
+#include "engine/refinement/VertexMoves.h"
+#include "engine/refinement/WorkingPath.h"
 #include "path/PathEvaluator.h"
 #include "path/StateChart.h"
 #include "path/Waypoints.h"
@@ -65,7 +66,6 @@ namespace ompl_mfa::engine::refinement
     public:
         /** \brief \e evaluator must outlive the object. */
         PathTightening(path::StateChartPtr chart, path::PathEvaluator &evaluator, std::uint_fast32_t seed);
-        ~PathTightening();
         PathTightening(const PathTightening &) = delete;
         PathTightening &operator=(const PathTightening &) = delete;
 
@@ -78,11 +78,14 @@ namespace ompl_mfa::engine::refinement
 
         const path::Waypoints &path() const
         {
-            return path_;
+            return path_.states();
         }
 
         /** \brief The cost of path(), added up from known motion costs; infinite until advance() has computed them. */
-        ompl::base::Cost cost() const;
+        ompl::base::Cost cost() const
+        {
+            return path_.cost();
+        }
 
         /** \brief Whether the last rounds gained almost nothing. Further rounds may still gain, but rarely. */
         bool converged() const
@@ -91,23 +94,6 @@ namespace ompl_mfa::engine::refinement
         }
 
     private:
-        /* Parameters of a vertex's next steps. */
-        struct Step
-        {
-            explicit Step(VertexSearch randomSteps)
-              : search(std::move(randomSteps))
-            {
-            }
-
-            VertexSearch search;
-            double pull{0.5};          ///< fraction of the distance to the chord
-            double partPull{1.0};      ///< the same if only some coordinates move
-            unsigned int caution{0};   ///< moves that still have to keep the margin
-            bool partWorked{false};    ///< whether mask and normal led to a better path last time
-            Eigen::VectorXd mask{};    ///< 1 for each coordinate that moves
-            Eigen::VectorXd normal{};  ///< direction that is left out, or zero
-        };
-
         /* The kinds of steps, which index payoffs_. */
         enum StepKind : std::size_t
         {
@@ -130,54 +116,28 @@ namespace ompl_mfa::engine::refinement
             }
         };
 
-        Step firstStep(std::size_t i) const;
         void round();
         StepKind chooseStep();
         bool makeStep(StepKind kind, std::size_t i);
         static double gain(double before, double after);
-        std::size_t infiniteMotions() const;
         bool canImprove() const;
         void bendInfiniteMotions();
         bool bend(std::size_t i);
-        bool shortcut();
-        bool partShortcut();
-        bool selectCoordinates(Eigen::VectorXd &mask);
-        bool replaceSegment(std::size_t first);
-        bool checkShortcut(const ompl::base::State *before, const ompl::base::State *after);
         void removeVertices();
         bool remove(std::size_t i);
-        bool pull(std::size_t i);
-        void selectPart(Step &step);
-        bool pullPart(std::size_t i);
-        bool perturb(std::size_t i);
         bool refineWorstCorner();
         bool cutCorner(std::size_t i);
-        bool completeCosts();
-        ompl::base::Cost cornerCost(std::size_t i) const;
-        bool improves(std::size_t i, const ompl::base::State *state, ompl::base::Cost &before, ompl::base::Cost &after);
-        bool moveVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before, ompl::base::Cost after);
-        bool hasMargin(std::size_t i, const ompl::base::State *state);
-        bool replaceVertex(std::size_t i, const ompl::base::State *state);
-        double smallestStep() const;
-        void insertVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before,
-                          ompl::base::Cost after);
-        void eraseVertices(std::size_t first, std::size_t last, ompl::base::Cost joined);
 
         path::StateChartPtr chart_;
         path::PathEvaluator &evaluator_;
         ompl::RNG rng_;
-        path::Waypoints path_;
-        path::Waypoints segment_;
-        std::vector<ompl::base::Cost> segmentCosts_;
-        std::vector<ompl::base::Cost> costs_;  ///< costs of the motions of path_, as far as they are computed
-        double total_{0.0};                    ///< cost of path_ during a round
+        WorkingPath path_;
+        PathShortcuts shortcuts_;
+        VertexMoves moves_;
+        double total_{0.0};  ///< cost of path_ during a round
         std::array<Payoff, StepKinds> payoffs_{};
-        std::vector<Step> steps_;
-        ompl::base::State *a_;
-        ompl::base::State *b_;
-        ompl::base::State *beyond_;
+        path::Waypoints scratch_;
         Eigen::VectorXd delta_;
-        Eigen::VectorXd beyondDelta_;
         std::uint64_t workLimit_{0};
         bool converged_{true};
         unsigned int idleRounds_{0};

@@ -87,16 +87,11 @@ namespace ompl_mfa::engine::refinement
                                                                                                   : Readiness::Idle;
     }
 
-    bool TighteningPart::isBetter(double a, double b) const
-    {
-        return context().objective().isCostBetterThan(ob::Cost(a), ob::Cost(b));
-    }
-
     /* Relative to the cost before; negative if that was better. */
     double TighteningPart::gain(double before, double after) const
     {
         const double size = std::abs(before - after) / std::max(std::abs(before), 1e-12);
-        return isBetter(after, before) ? size : -size;
+        return context().evaluator().isBetter(after, before) ? size : -size;
     }
 
     void TighteningPart::advance(std::uint64_t work, Findings &findings)
@@ -200,12 +195,12 @@ namespace ompl_mfa::engine::refinement
         path::PathEvaluator &evaluator = context().evaluator();
         const path::StrideScope draft(evaluator, context().draftStride());
         const ob::Cost promising(evaluator.withSlack(rival.value(), DRAFT_SLACK));
-        const bool best = !isBetter(context().incumbent.cost(), proposal.cost->value());
+        const bool best = !evaluator.isBetter(context().incumbent.cost(), proposal.cost->value());
         draft_.begin(proposal.path);
         proposal.cost = tightenRounds(draft_, evaluator, *proposal.cost, promising, !best);
         proposal.path = draft_.path();
         proposal.draft = true;
-        return !evaluator.interrupted() && isBetter(proposal.cost->value(), promising.value());
+        return !evaluator.interrupted() && evaluator.isBetter(proposal.cost->value(), promising.value());
     }
 
     bool TighteningPart::repair(Proposal &proposal)

@@ -77,7 +77,6 @@ namespace ompl_mfa::engine::refinement
             double promised{0.0};  ///< relative gain that it promised when it was proposed; 0: not proposed since
         };
 
-        bool isBetter(double a, double b) const;
         double gain(double before, double after) const;
         bool advanceDraft(std::uint64_t work, Findings &findings);
         bool tightenDraft(Proposal &proposal, ompl::base::Cost rival);

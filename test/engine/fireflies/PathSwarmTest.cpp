@@ -363,7 +363,7 @@ namespace ompl_mfa::engine::fireflies
             pdef->setStartAndGoalStates(start, goal);
             test::SearchProblem search(pdef);
             ASSERT_EQ(search.begin(), ob::PlannerStatus::EXACT_SOLUTION);
-            LocalTrees trees(chart, search.evaluator(), 9);
+            refinement::LocalTrees trees(chart, search.evaluator(), 9);
             path::Waypoints path(space);
             for (int i = 0; i < 30; ++i)
             {

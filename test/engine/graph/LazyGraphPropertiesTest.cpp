@@ -47,10 +47,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <ompl/base/MotionValidator.h>
 #include <ompl/util/Console.h>
 
 #include "engine/graph/LazyGraph.h"
+#include "engine/graph/RandomGraph.h"
 #include "path/StateSpaces.h"
 
 namespace ob = ompl::base;
@@ -59,153 +59,7 @@ namespace ompl_mfa::engine::graph
 {
     namespace
     {
-        constexpr double INFINITE = std::numeric_limits<double>::infinity();
         constexpr std::uint64_t PLENTY = 10000000;
-
-        enum class Algebra
-        {
-            Sum,        ///< less is better
-            Gain,       ///< a sum of which more is better
-            Bottleneck  ///< the worst motion counts
-        };
-
-        struct Motions
-        {
-            std::size_t from;
-            std::size_t to;
-            bool bothWays;
-        };
-
-        /* A graph with integer costs, which add up without rounding. Vertex i is the state (i, i^2), so that the middle
-           of a motion identifies it. */
-        struct RandomGraph
-        {
-            Algebra algebra{Algebra::Sum};
-            std::size_t size{0};
-            std::vector<Motions> motions;
-            std::vector<std::vector<double>> cost;
-            std::vector<double> initial;
-            std::vector<double> terminal;
-            std::vector<std::size_t> starts;
-            std::vector<std::size_t> goals;
-            std::vector<bool> validVertex;
-            std::vector<std::vector<bool>> validMotion;
-            std::vector<std::vector<bool>> validMiddle;
-
-            bool isValid(std::size_t from, std::size_t to) const
-            {
-                return validMotion[from][to] && validMiddle[from][to];
-            }
-        };
-
-        std::ostream &operator<<(std::ostream &out, const RandomGraph &graph)
-        {
-            out << "algebra " << static_cast<int>(graph.algebra) << ", " << graph.size << " vertices;";
-            for (const auto s : graph.starts)
-            {
-                out << " start " << s << " (" << graph.initial[s] << ")";
-            }
-            for (const auto g : graph.goals)
-            {
-                out << " goal " << g << " (" << graph.terminal[g] << ")";
-            }
-            for (const auto &m : graph.motions)
-            {
-                out << "; " << m.from << (m.bothWays ? " <-> " : " -> ") << m.to << ": " << graph.cost[m.from][m.to];
-                if (m.bothWays)
-                {
-                    out << " / " << graph.cost[m.to][m.from];
-                }
-                if (!graph.isValid(m.from, m.to))
-                {
-                    out << " invalid";
-                }
-            }
-            return out;
-        }
-
-        class TableObjective : public ob::OptimizationObjective
-        {
-        public:
-            TableObjective(const ob::SpaceInformationPtr &si, const RandomGraph &graph)
-              : OptimizationObjective(si)
-              , graph_(graph)
-            {
-            }
-
-            static std::size_t number(const ob::State *state)
-            {
-                return static_cast<std::size_t>(state->as<ob::RealVectorStateSpace::StateType>()->values[0]);
-            }
-
-            bool isCostBetterThan(ob::Cost a, ob::Cost b) const override
-            {
-                return graph_.algebra == Algebra::Gain ? a.value() > b.value() : a.value() < b.value();
-            }
-
-            ob::Cost infiniteCost() const override
-            {
-                return ob::Cost(graph_.algebra == Algebra::Gain ? -INFINITE : INFINITE);
-            }
-
-            ob::Cost identityCost() const override
-            {
-                return ob::Cost(graph_.algebra == Algebra::Bottleneck ? -INFINITE : 0.0);
-            }
-
-            ob::Cost combineCosts(ob::Cost a, ob::Cost b) const override
-            {
-                return ob::Cost(graph_.algebra == Algebra::Bottleneck ? std::max(a.value(), b.value())
-                                                                      : a.value() + b.value());
-            }
-
-            ob::Cost stateCost(const ob::State *) const override
-            {
-                return identityCost();
-            }
-
-            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
-            {
-                return ob::Cost(graph_.cost[number(from)][number(to)]);
-            }
-
-            ob::Cost initialCost(const ob::State *state) const override
-            {
-                return ob::Cost(graph_.initial[number(state)]);
-            }
-
-            ob::Cost terminalCost(const ob::State *state) const override
-            {
-                return ob::Cost(graph_.terminal[number(state)]);
-            }
-
-        private:
-            const RandomGraph &graph_;
-        };
-
-        class TableMotionValidator : public ob::MotionValidator
-        {
-        public:
-            TableMotionValidator(const ob::SpaceInformationPtr &si, const RandomGraph &graph)
-              : MotionValidator(si)
-              , graph_(graph)
-            {
-            }
-
-            bool checkMotion(const ob::State *from, const ob::State *to) const override
-            {
-                return graph_.isValid(TableObjective::number(from), TableObjective::number(to));
-            }
-
-            bool checkMotion(const ob::State *from, const ob::State *to,
-                             std::pair<ob::State *, double> &) const override
-            {
-                return checkMotion(from, to);
-            }
-
-        private:
-            const RandomGraph &graph_;
-        };
 
         /* The graph as a LazyGraph, and the expected results from its tables alone. */
         class Case

@@ -341,6 +341,106 @@ namespace ompl_mfa::engine::graph
 
         /* The detour by 120 is cheaper: its first motion passes the screening, its second has the wall in its middle.
          */
+        /* 0 - 20 - 40 with a wall at 30, and the way round over 500. */
+        class ChangedGraphTest : public LazyGraphTest
+        {
+        protected:
+            ChangedGraphTest()
+            {
+                wall_ = 30.0;
+                make([](double from, double to) { return std::abs(to - from); });
+                for (const double v : {0.0, 20.0, 40.0, 500.0})
+                {
+                    add(v);
+                }
+                setEnds();
+                graph_->addEdge(0, 1, true);
+                graph_->addEdge(1, 2, true);
+                // these motions jump over the wall
+                graph_->addEdge(0, 3, false);
+                graph_->addEdge(3, 2, false);
+            }
+
+            void setEnds()
+            {
+                graph_->setStart(0);
+                graph_->setGoal(2);
+            }
+        };
+
+        TEST_F(ChangedGraphTest, WhatWasInvalidIsCheckedAgainOnceItsValidityIsForgotten)
+        {
+            EXPECT_FALSE(graph_->search(100.0, PLENTY, path_));
+            wall_ = -10.0;
+            EXPECT_FALSE(graph_->search(100.0, PLENTY, path_));
+            graph_->forgetValidity();
+            EXPECT_FALSE(graph_->isValid(0));
+            ASSERT_TRUE(graph_->search(100.0, PLENTY, path_));
+            EXPECT_EQ(graph_->cost(), 40.0);
+            EXPECT_TRUE(graph_->isValid(1));
+            EXPECT_TRUE(graph_->validEdges().size() >= 4);
+        }
+
+        TEST_F(ChangedGraphTest, WhatWasValidIsCheckedAgainOnceItsValidityIsForgotten)
+        {
+            wall_ = -10.0;
+            ASSERT_TRUE(graph_->search(100.0, PLENTY, path_));
+            wall_ = 20.0;
+            graph_->forgetValidity();
+            EXPECT_TRUE(graph_->validEdges().empty());
+            EXPECT_FALSE(graph_->search(100.0, PLENTY, path_));
+            EXPECT_FALSE(graph_->isValid(1));
+        }
+
+        TEST_F(ChangedGraphTest, InvalidEdgesThatWereRemovedComeBack)
+        {
+            EXPECT_FALSE(graph_->search(100.0, PLENTY, path_));
+            const std::size_t edges = graph_->edges();
+            ASSERT_TRUE(graph_->retain({true, true, true, false}));
+            EXPECT_EQ(graph_->edges(), edges - 4) << "both directions from 20 to 40, and those over 500";
+            ASSERT_TRUE(graph_->retain({true, true, true}));
+            wall_ = -10.0;
+            graph_->forgetValidity();
+            EXPECT_EQ(graph_->edges(), edges - 2);
+            ASSERT_TRUE(graph_->search(100.0, PLENTY, path_));
+            EXPECT_EQ(graph_->cost(), 40.0);
+            // one check serves both directions
+            EXPECT_EQ(graph_->validEdges().size(), 4U);
+        }
+
+        TEST_F(ChangedGraphTest, InvalidEdgesOfRemovedVerticesDoNot)
+        {
+            wall_ = 20.0;
+            EXPECT_FALSE(graph_->search(100.0, PLENTY, path_));
+            ASSERT_TRUE(graph_->retain({true, false, true, true}));
+            ASSERT_EQ(graph_->size(), 3U);
+            const std::size_t edges = graph_->edges();
+            wall_ = -10.0;
+            graph_->forgetValidity();
+            EXPECT_EQ(graph_->edges(), edges);
+        }
+
+        TEST_F(ChangedGraphTest, AnotherGraphTakesAllButTheEnds)
+        {
+            wall_ = -10.0;
+            ASSERT_TRUE(graph_->search(100.0, PLENTY, path_));
+            LazyGraph earlier(*evaluator_);
+            earlier.take(*graph_);
+            EXPECT_EQ(graph_->size(), 0U);
+            EXPECT_EQ(graph_->edges(), 0U);
+            graph_->take(earlier);
+            ASSERT_EQ(graph_->size(), 4U);
+            EXPECT_TRUE(graph_->starts().empty());
+            EXPECT_TRUE(graph_->goals().empty());
+            EXPECT_FALSE(graph_->isEnd(0));
+            EXPECT_FALSE(graph_->search(ANY, PLENTY, path_));
+            setEnds();
+            problem_.forget();
+            ASSERT_TRUE(graph_->search(100.0, PLENTY, path_));
+            EXPECT_EQ(graph_->cost(), 40.0);
+            EXPECT_EQ(problem_.motions, 0U) << "all of it is known";
+        }
+
         TEST_F(LazyGraphTest, ChecksNoMotionBesideThePath)
         {
             wall_ = 510.0;

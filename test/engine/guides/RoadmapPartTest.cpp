@@ -286,6 +286,88 @@ namespace ompl_mfa::engine::guides
             }
         };
 
+        /* A roadmap that has found a path, and the same part of another search, which inherits it. */
+        class InheritedRoadmapTest : public RoadmapPartTest
+        {
+        protected:
+            InheritedRoadmapTest()
+            {
+                while (!earlier_.search(ANY, 5000, path_))
+                {
+                }
+                earlier_.explain(before_);
+            }
+
+            /* Checks of states until the heir finds a path that is valid now. */
+            std::uint64_t checksForAPath(const Heritage &heritage)
+            {
+                test::SearchProblem search(problem_->pdef, 6);
+                EXPECT_EQ(search.begin(), ob::PlannerStatus::EXACT_SOLUTION);
+                RoadmapPart heir(search.context, true);
+                heir.inherit(earlier_, heritage);
+                SearchGraph graph(problem_->si->getStateSpace());
+                heir.explain(graph);
+                known_ = graph.edges.size();
+                problem_->counted.forget();
+                while (!heir.search(ANY, 5000, path_))
+                {
+                }
+                const std::uint64_t checks = problem_->counted.states;
+                EXPECT_TRUE(evaluator_.checkPath(path_));
+                EXPECT_TRUE(problem_->si->equalStates(path_.front(), search.starts()[0]));
+                EXPECT_TRUE(problem_->si->equalStates(path_.back(), search.goals()[0]));
+                SearchGraph after(problem_->si->getStateSpace());
+                heir.explain(after);
+                EXPECT_EQ(after.starts.size(), 1U);
+                EXPECT_EQ(after.goals.size(), 1U);
+                for (std::size_t v = 0; v < after.states.size(); ++v)
+                {
+                    EXPECT_TRUE(problem_->si->isValid(after.states[v]));
+                }
+                states_ = after.states.size();
+                return checks;
+            }
+
+            RoadmapPart earlier_{search_.context, false};
+            SearchGraph before_{problem_->si->getStateSpace()};
+            std::size_t known_{0};   ///< valid motions that the heir knows from the beginning
+            std::size_t states_{0};  ///< valid states that it knows in the end
+        };
+
+        TEST_F(InheritedRoadmapTest, TheSameQueryNeedsNoCheck)
+        {
+            EXPECT_EQ(checksForAPath({true, true, true}), 0U);
+            EXPECT_EQ(known_, before_.edges.size());
+            EXPECT_EQ(states_, before_.states.size()) << "start and goal are its vertices already";
+        }
+
+        TEST_F(InheritedRoadmapTest, AnotherStartNeedsItsOwnMotionOnly)
+        {
+            problem_->pdef->clearStartStates();
+            problem_->pdef->addStartState(problem_->state({1.0, 2.0}));
+            EXPECT_LT(checksForAPath({true, true, true}), 300U);
+            EXPECT_EQ(states_, before_.states.size() + 1);
+        }
+
+        TEST_F(InheritedRoadmapTest, WithoutValidityAllIsCheckedAgain)
+        {
+            EXPECT_GT(checksForAPath({true, false, true}), 50U);
+            EXPECT_EQ(known_, 0U);
+            EXPECT_LE(states_, before_.states.size());
+        }
+
+        TEST_F(InheritedRoadmapTest, WithoutCostsItsStatesAreAddedAgain)
+        {
+            checksForAPath({true, true, false});
+            EXPECT_EQ(known_, 0U);
+            EXPECT_GE(states_, before_.states.size());
+        }
+
+        TEST_F(InheritedRoadmapTest, OfAnotherSpaceItIsIgnored)
+        {
+            EXPECT_GT(checksForAPath({false, true, true}), 300U);
+        }
+
         TEST_F(RoadmapPartTest, GoesOnFromAPathOfInfiniteCostToAFiniteOne)
         {
             test::SearchProblem search(problem_->pdef, 5, {}, std::make_shared<Forbidding>(problem_->si));

@@ -48,6 +48,7 @@
 
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/spaces/DubinsStateSpace.h>
 
 #include "path/CountingProblem.h"
 #include "path/StateSpaces.h"
@@ -273,6 +274,53 @@ namespace ompl_mfa::engine::refinement
             }
             EXPECT_GT(invalid, 15U);
             EXPECT_GT(2 * repaired, invalid);
+        }
+
+        TEST(PathRepair, MakesATinyDetourAtAFinerResolution)
+        {
+            for (std::uint_fast32_t seed = 1; seed <= 20; ++seed)
+            {
+                // the path cuts 0.005 off the peg
+                Pegs pegs(test::realVectorSpace(2), {{2.0, 0.095}}, seed);
+                const path::Waypoints original = test::planarPath(pegs.space, {{-8, 0}, {8, 0}, {8, 5}});
+                path::Waypoints path = original;
+                const path::FinenessScope fine(pegs.evaluator, 8, false);
+                ASSERT_TRUE(pegs.repair.repair(path)) << "seed " << seed;
+                expectRepaired(pegs, original, path);
+                EXPECT_LT(path.length(), original.length() + 0.01);
+            }
+        }
+
+        TEST(PathRepair, ShiftsACurveThatCannotBendAroundAPeg)
+        {
+            const auto space = test::ready(test::bounded(std::make_shared<ob::DubinsStateSpace>(1.0), 2, -10.0, 10.0));
+            // on the inner side of a quarter of a circle of the smallest radius, into which the peg reaches by 0.003
+            const double inner = (1.0 - RADIUS + 0.003) * std::sqrt(0.5);
+            for (std::uint_fast32_t seed = 1; seed <= 10; ++seed)
+            {
+                Pegs pegs(space, {{inner, 1.0 - inner}}, seed);
+                pegs.problem.si->setStateValidityCheckingResolution(0.004);
+                pegs.problem.si->setup();
+                path::Waypoints original(space);
+                const double poses[][3] = {
+                    {-4, 0, 0}, {0, 0, 0}, {1, 1, 1.5707963267948966}, {1, 5, 1.5707963267948966}};
+                original.resize(4);
+                for (std::size_t i = 0; i < 4; ++i)
+                {
+                    space->copyFromReals(original[i], {poses[i][0], poses[i][1], poses[i][2]});
+                }
+                path::Waypoints path = original;
+                const path::FinenessScope fine(pegs.evaluator, 8, false);
+                ASSERT_TRUE(pegs.repair.repair(path)) << "seed " << seed;
+                double length = 0.0;
+                for (std::size_t i = 1; i < path.size(); ++i)
+                {
+                    EXPECT_TRUE(pegs.evaluator.checkMotion(path[i - 1], path[i])) << i;
+                    length += space->distance(path[i - 1], path[i]);
+                }
+                // without a loop
+                EXPECT_LT(length, 8.0 + 1.5708 + 0.3) << "seed " << seed;
+            }
         }
     }  // namespace
 }  // namespace ompl_mfa::engine::refinement

@@ -47,12 +47,11 @@
 
 #include <boost/math/constants/constants.hpp>
 
-#include <ompl/base/StateValidityChecker.h>
 #include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
-#include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/objectives/StateCostIntegralObjective.h>
 
+#include "engine/refinement/RoomProblem.h"
 #include "path/CountingProblem.h"
 #include "path/StateSpaces.h"
 
@@ -147,128 +146,6 @@ namespace ompl_mfa::engine::refinement
             }
             evaluator_.setStopCondition({});
             EXPECT_NEAR(cost, evaluator_.cost(tightening_.path()).value(), 1e-9 * cost);
-        }
-
-        /* The positions of a state must stay out of a ball around the origin and, in a plane, out of a thin wall. */
-        class Room : public ob::StateValidityChecker
-        {
-        public:
-            explicit Room(const ob::SpaceInformationPtr &si)
-              : StateValidityChecker(si)
-              , chart_(si->getStateSpace())
-            {
-            }
-
-            bool isValid(const ob::State *state) const override
-            {
-                return clearance(state) > 0.0;
-            }
-
-            double clearance(const ob::State *state) const override
-            {
-                Eigen::VectorXd x(chart_.positionDimension());
-                chart_.positions(state, x);
-                if (x.size() < 2)
-                {
-                    return 1.0;
-                }
-                return std::min(x.norm() - 2.0, std::hypot(std::max(0.0, std::abs(x[0]) - 0.02), std::max(0.0, x[1])));
-            }
-
-            /* The first position of a state. */
-            double height(const ob::State *state) const
-            {
-                Eigen::VectorXd x(chart_.positionDimension());
-                chart_.positions(state, x);
-                return x.size() > 0 ? x[0] : 0.0;
-            }
-
-        private:
-            path::StateChart chart_;
-        };
-
-        const Room &roomOf(const ob::SpaceInformationPtr &si)
-        {
-            return static_cast<const Room &>(*si->getStateValidityChecker());
-        }
-
-        /* Infinite within a band around the ball. */
-        class LethalBand : public ob::StateCostIntegralObjective
-        {
-        public:
-            explicit LethalBand(const ob::SpaceInformationPtr &si)
-              : StateCostIntegralObjective(si, true)
-            {
-            }
-
-            ob::Cost stateCost(const ob::State *state) const override
-            {
-                const double clearance = roomOf(si_).clearance(state);
-                return clearance < 1.0 && clearance > 0.5 ? infiniteCost() : ob::Cost(1.0 + 1.0 / (1.0 + clearance));
-            }
-
-            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
-            {
-                // infinite cost times no length is not a number
-                return si_->equalStates(from, to) ? identityCost() : StateCostIntegralObjective::motionCost(from, to);
-            }
-        };
-
-        class Climbing : public ob::MechanicalWorkOptimizationObjective
-        {
-        public:
-            explicit Climbing(const ob::SpaceInformationPtr &si)
-              : MechanicalWorkOptimizationObjective(si, 0.1)
-            {
-            }
-
-            ob::Cost stateCost(const ob::State *state) const override
-            {
-                return ob::Cost(roomOf(si_).height(state));
-            }
-        };
-
-        /* A motion costs three times as much in one direction as in the other. */
-        class OneWayLength : public ob::PathLengthOptimizationObjective
-        {
-        public:
-            using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
-
-            ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
-            {
-                const bool up = roomOf(si_).height(to) > roomOf(si_).height(from);
-                return ob::Cost((up ? 3.0 : 1.0) * si_->distance(from, to));
-            }
-        };
-
-        using MakeObjective = ob::OptimizationObjectivePtr (*)(const ob::SpaceInformationPtr &);
-
-        template <typename Objective>
-        ob::OptimizationObjectivePtr make(const ob::SpaceInformationPtr &si)
-        {
-            return std::make_shared<Objective>(si);
-        }
-
-        const std::vector<MakeObjective> OBJECTIVES{make<ob::PathLengthOptimizationObjective>,
-                                                    make<ob::MaximizeMinClearanceObjective>, make<LethalBand>,
-                                                    make<Climbing>, make<OneWayLength>};
-
-        /* A path of up to \e states random states, whose motions are valid at twice the resolution. */
-        path::Waypoints anyStrictPath(path::PathEvaluator &evaluator, const path::StateChart &chart, ompl::RNG &rng,
-                                      std::size_t states)
-        {
-            path::Waypoints path(chart.space());
-            ob::ScopedState<> state(chart.space());
-            for (int tries = 0; tries < 400 && path.size() < states; ++tries)
-            {
-                chart.sampleUniform(rng, state.get());
-                if (evaluator.checkState(state.get()) &&
-                    (path.empty() || evaluator.checkStrictly({{path.back(), state.get()}})))
-                {
-                    path.append(state.get());
-                }
-            }
-            return path;
         }
 
         class TighteningOfEverySpace : public ::testing::TestWithParam<test::NamedSpace>

@@ -34,73 +34,57 @@
 
 /* Author: the ompl_mfa authors */
 
-#ifndef OMPL_MFA_ENGINE_FIREFLIES_LOCAL_TREES_
-#define OMPL_MFA_ENGINE_FIREFLIES_LOCAL_TREES_
+#ifndef OMPL_MFA_ENGINE_REFINEMENT_VERTEX_MOVES_
+#define OMPL_MFA_ENGINE_REFINEMENT_VERTEX_MOVES_
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include <Eigen/Core>
 
+#include <ompl/base/Cost.h>
+#include <ompl/base/State.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "engine/refinement/WorkingPath.h"
 #include "path/PathEvaluator.h"
 #include "path/StateChart.h"
 #include "path/Waypoints.h"
 
-namespace ompl_mfa::engine::fireflies
+namespace ompl_mfa::engine::refinement
 {
-    /** \brief RRT-Connect between two states of a path, within the ellipsoid of the states through which a connection
-       of a given length can lead. The trees are small and are discarded after each call.
-
-        J. J. Kuffner and S. M. LaValle, RRT-Connect: an efficient approach to single-query path planning, ICRA 2000. */
-    class LocalTrees
+    /** \brief Moves of single inner vertices of a path. One is made only if it is better and its motions are valid;
+        each function returns whether it was. The steps of a vertex adapt their size to their success. */
+    class VertexMoves
     {
     public:
-        /** \brief \e evaluator must outlive the object. */
-        LocalTrees(path::StateChartPtr chart, path::PathEvaluator &evaluator, std::uint_fast32_t seed);
+        /** \brief \e path and \e rng must outlive the object. */
+        VertexMoves(WorkingPath &path, ompl::RNG &rng);
 
-        /** \brief Searches for a path from \e from to \e to, both valid, of about \e longest at most in the unit of the
-            space's distance, with a budget of \e work units of PathEvaluator::work(). True if \e found is such a path;
-            it was checked as PathEvaluator::checkMotion does now, and is not the straight motion. */
-        bool connect(const ompl::base::State *from, const ompl::base::State *to, double longest, std::uint64_t work,
-                     path::Waypoints &found);
+        /** \brief Pulls the vertex \e i toward the chord of its neighbours. */
+        bool pull(std::size_t i);
+
+        /** \brief The same in some coordinates or directions only, which are kept as long as they lead to better
+            paths. */
+        bool pullPart(std::size_t i);
+
+        /** \brief Makes a random step. */
+        bool perturb(std::size_t i);
 
     private:
-        enum class Extension : unsigned char
-        {
-            Trapped,
-            Advanced,
-            Reached
-        };
+        bool improves(std::size_t i, const ompl::base::State *state, ompl::base::Cost &before, ompl::base::Cost &after);
+        bool moveVertex(std::size_t i, const ompl::base::State *state, ompl::base::Cost before, ompl::base::Cost after);
+        bool hasMargin(std::size_t i, const ompl::base::State *state);
+        bool replaceVertex(std::size_t i, const ompl::base::State *state);
+        void selectPart(VertexStep &step);
 
-        struct Tree
-        {
-            explicit Tree(const ompl::base::StateSpacePtr &space)
-              : states(space)
-            {
-            }
-
-            void reset(const ompl::base::State *root);
-
-            path::Waypoints states;
-            std::vector<std::size_t> parents;
-        };
-
-        void sample(const ompl::base::State *from, const Eigen::VectorXd &axis, double longest);
-        Extension extend(Tree &tree, bool forward, const ompl::base::State *target);
-        void join(path::Waypoints &found) const;
-
+        WorkingPath &path_;
         path::StateChartPtr chart_;
         path::PathEvaluator &evaluator_;
-        ompl::RNG rng_;
-        double range_;
-        Tree fromTree_;
-        Tree toTree_;
+        ompl::RNG &rng_;
         path::Waypoints scratch_;
-        Eigen::VectorXd point_;
+        Eigen::VectorXd delta_;
+        Eigen::VectorXd beyondDelta_;
     };
-}  // namespace ompl_mfa::engine::fireflies
+}  // namespace ompl_mfa::engine::refinement
 
 #endif

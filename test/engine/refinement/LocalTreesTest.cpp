@@ -34,7 +34,7 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "engine/fireflies/LocalTrees.h"
+#include "engine/refinement/LocalTrees.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@
 
 namespace ob = ompl::base;
 
-namespace ompl_mfa::engine::fireflies
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -310,4 +310,4 @@ namespace ompl_mfa::engine::fireflies
             EXPECT_GT(oneWay, 5U);
         }
     }  // namespace
-}  // namespace ompl_mfa::engine::fireflies
+}  // namespace ompl_mfa::engine::refinement

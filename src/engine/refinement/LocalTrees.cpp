@@ -34,15 +34,17 @@
 
 /* Author: the ompl_mfa authors */
 
-#include "engine/fireflies/LocalTrees.h"
+#include "engine/refinement/LocalTrees.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "path/TreeStep.h"
+
 namespace ob = ompl::base;
 
-namespace ompl_mfa::engine::fireflies
+namespace ompl_mfa::engine::refinement
 {
     namespace
     {
@@ -141,13 +143,12 @@ namespace ompl_mfa::engine::fireflies
     /* Motions lead away from the root of the first tree and toward that of the second. */
     LocalTrees::Extension LocalTrees::extend(Tree &tree, bool forward, const ob::State *target)
     {
-        const auto distance = [&](std::size_t i)
-        { return forward ? chart_->distance(tree.states[i], target) : chart_->distance(target, tree.states[i]); };
+        const path::TreeStep grow{*chart_, forward};
         std::size_t nearest = 0;
-        double least = distance(0);
+        double least = grow.distance(tree.states[0], target);
         for (std::size_t i = 1; i < tree.states.size(); ++i)
         {
-            const double d = distance(i);
+            const double d = grow.distance(tree.states[i], target);
             if (d < least)
             {
                 least = d;
@@ -158,30 +159,15 @@ namespace ompl_mfa::engine::fireflies
         evaluator_.addDistances(tree.states.size());
         ob::State *step = scratch_[STEP];
         const ob::State *near = tree.states[nearest];
-        if (least <= range_)
-        {
-            chart_->space()->copyState(step, target);
-        }
-        else
-        {
-            chart_->interpolate(forward ? near : target, forward ? target : near,
-                                forward ? range_ / least : 1.0 - range_ / least, step);
-            chart_->space()->enforceBounds(step);
-            // a curve that leaves the bounds may end where it began, again and again
-            if ((forward ? chart_->distance(step, target) : chart_->distance(target, step)) >= least)
-            {
-                return Extension::Trapped;
-            }
-        }
-        const bool valid = forward ? evaluator_.checkMotion(near, step)
-                                   : evaluator_.checkState(step) && evaluator_.checkMotion(step, near);
-        if (!valid)
+        const bool reaches = grow.toward(near, target, least, range_, step);
+        // a curve that leaves the bounds may end where it began, again and again
+        if ((!reaches && grow.distance(step, target) >= least) || !grow.check(evaluator_, near, step))
         {
             return Extension::Trapped;
         }
         tree.states.append(step);
         tree.parents.push_back(nearest);
-        return least <= range_ ? Extension::Reached : Extension::Advanced;
+        return reaches ? Extension::Reached : Extension::Advanced;
     }
 
     void LocalTrees::join(path::Waypoints &found) const
@@ -200,4 +186,4 @@ namespace ompl_mfa::engine::fireflies
             found.append(toTree_.states[i]);
         }
     }
-}  // namespace ompl_mfa::engine::fireflies
+}  // namespace ompl_mfa::engine::refinement

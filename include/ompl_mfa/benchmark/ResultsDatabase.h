@@ -1,0 +1,59 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
+#ifndef OMPL_MFA_BENCHMARK_RESULTS_DATABASE_
+#define OMPL_MFA_BENCHMARK_RESULTS_DATABASE_
+
+#include <filesystem>
+
+#include "ompl_mfa/Export.h"
+#include "ompl_mfa/benchmark/BenchmarkLog.h"
+
+namespace ompl_mfa::benchmark
+{
+    /** \brief Adds the runs of \e log to the SQLite database \e file for Planner Arena, which is created if it does not
+        exist. Tables, columns and values are those that `ompl_benchmark_statistics -d` writes for the same log.
+
+        A database may hold any number of campaigns. An experiment of the same campaign (experiment property "campaign
+        TEXT") with the same start, an earlier part of one that was interrupted, is replaced. Either everything is
+        written or nothing. Throws InputError with SQLite's reason if \e file cannot be written or is no database. */
+    OMPL_MFA_EXPORT void addToDatabase(const std::filesystem::path &file, const BenchmarkLog &log);
+
+    /** \brief Creates the tables in \e file, so that errors of addToDatabase() are known before a campaign is run. */
+    OMPL_MFA_EXPORT void prepareDatabase(const std::filesystem::path &file);
+}  // namespace ompl_mfa::benchmark
+
+#endif

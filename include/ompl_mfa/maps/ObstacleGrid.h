@@ -1,0 +1,107 @@
+/*********************************************************************
+ * Software License Agreement (BSD License)
+ *
+ *  Copyright (c) 2026, the ompl_mfa authors
+ *  All rights reserved.
+ *
+ *  Redistribution and use in source and binary forms, with or without
+ *  modification, are permitted provided that the following conditions
+ *  are met:
+ *
+ *   * Redistributions of source code must retain the above copyright
+ *     notice, this list of conditions and the following disclaimer.
+ *   * Redistributions in binary form must reproduce the above
+ *     copyright notice, this list of conditions and the following
+ *     disclaimer in the documentation and/or other materials provided
+ *     with the distribution.
+ *   * Neither the name of the copyright holder nor the names of its
+ *     contributors may be used to endorse or promote products derived
+ *     from this software without specific prior written permission.
+ *
+ *  THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS
+ *  "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+ *  LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
+ *  FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+ *  COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT,
+ *  INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING,
+ *  BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+ *  LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+ *  CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
+ *  LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN
+ *  ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE
+ *  POSSIBILITY OF SUCH DAMAGE.
+ *********************************************************************/
+
+/* Author: the ompl_mfa authors */
+
+#ifndef OMPL_MFA_MAPS_OBSTACLE_GRID_
+#define OMPL_MFA_MAPS_OBSTACLE_GRID_
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "ompl_mfa/Export.h"
+#include "ompl_mfa/maps/GridMap.h"
+
+namespace ompl_mfa::maps
+{
+    /** \brief Whether a robot may enter unknown cells. */
+    enum class UnknownCells
+    {
+        Occupied,
+        Free
+    };
+
+    /** \brief The obstacles of a map, closed squares, and the distances to them. Everything outside of the map is an
+        obstacle. Positions and distances are in cells, see GridMap::toGrid().
+
+        Made once in time linear in the number of cells; const functions are safe to call from several threads. */
+    class OMPL_MFA_EXPORT ObstacleGrid
+    {
+    public:
+        explicit ObstacleGrid(GridMap map, UnknownCells unknown = UnknownCells::Occupied);
+
+        const GridMap &map() const
+        {
+            return map_;
+        }
+
+        /** \brief Whether the cell in this column and row is an obstacle; true outside of the map. */
+        bool isOccupied(std::int64_t x, std::int64_t y) const;
+
+        /** \brief Whether any cell from column \e first to \e last of \e row is an obstacle. */
+        bool isAnyOccupied(std::int64_t row, std::int64_t first, std::int64_t last) const;
+
+        /** \brief Signed distance from \e position to the nearest obstacle, or minus that to the nearest free cell,
+            interpolated between the centres of cells: continuous, and true to within a cell. */
+        double distance(const Eigen::Vector2d &position) const;
+
+        /** \brief A distance within which there is no obstacle around \e position; negative if this is not known of any
+            distance. */
+        double leastDistance(const Eigen::Vector2d &position) const;
+
+        /** \brief A distance within which there surely is an obstacle around \e position; 0 within obstacles. */
+        double largestDistance(const Eigen::Vector2d &position) const;
+
+    private:
+        /** \brief Distance between the centre of the cell and that of the nearest of the other kind, negative for
+            obstacles. Cells are counted from the frame of obstacles around the map. */
+        double between(std::int64_t x, std::int64_t y) const
+        {
+            return distances_[static_cast<std::size_t>(y * columns_ + x)];
+        }
+
+        GridMap map_;
+        /** \brief Size of the map with a frame of one cell around it. */
+        std::int64_t columns_;
+        std::int64_t rows_;
+        /** \brief Words of 64 cells in a row, and all rows of them; a bit is set for an obstacle. */
+        std::int64_t words_;
+        std::vector<std::uint64_t> bits_;
+        std::vector<float> distances_;
+    };
+}  // namespace ompl_mfa::maps
+
+#endif
