@@ -102,6 +102,7 @@ namespace ompl_mfa::benchmark
                 break;
             case RobotKind::File:
             case RobotKind::Sphere:
+            case RobotKind::Arm:
                 failAt(problem.robot, "on a map the robot is one of point, disc, footprint");
         }
         maps::Footprint::Polygon corners;

@@ -359,13 +359,13 @@ namespace ompl_mfa::benchmark
 
     ProblemFactory::ProblemFactory(BenchmarkConfig config)
       : config_(std::move(config))
-      , arm_(config_.problem.robotKind == RobotKind::Arm ? loadArm(config_) : nullptr)
-      , map_(arm_ ? nullptr : loadMapOf(config_))
+      , map_(loadMapOf(config_))
       , footprint_(map_ ? makeFootprint(config_.problem) : maps::Footprint::point())
       , problems_(map_ ? loadScenarioOf(config_, *map_) : std::vector<maps::ScenarioProblem>())
     {
-        if (arm_)
+        if (config_.problem.robotKind == RobotKind::Arm)
         {
+            arm_ = loadArm(config_);
             world_ = {arm_, &arm_->robot().scene->world};
             return;
         }
