@@ -55,6 +55,15 @@ namespace ompl_mfa::maps
             }
             return polygon;
         }
+        Footprint::Circle circleAround(const Footprint::Polygon &corners)
+        {
+            Eigen::AlignedBox2d box;
+            for (const Eigen::Vector2d &corner : corners)
+            {
+                box.extend(corner);
+            }
+            return {box.center(), 0.5 * box.diagonal().norm()};
+        }
     }  // namespace
 
     GridRobot::GridRobot(std::shared_ptr<const ObstacleGrid> grid, const Footprint &footprint)
@@ -64,7 +73,8 @@ namespace ompl_mfa::maps
         const double cells = 1.0 / grid_->map().frame().resolution;
         for (const Footprint::Polygon &part : footprint.convexParts())
         {
-            parts_.push_back(scaled(part, cells));
+            const Footprint::Polygon corners = scaled(part, cells);
+            parts_.push_back({corners, circleAround(corners)});
         }
         corners_ = scaled(footprint.corners(), cells);
         inner_ = {footprint.inner().centre * cells, footprint.inner().radius * cells};
@@ -99,8 +109,15 @@ namespace ompl_mfa::maps
         thread_local SweptShape shape;
         const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(yaw).toRotationMatrix();
         const bool moves = from != to;
-        for (const Footprint::Polygon &part : parts_)
+        const Eigen::Vector2d middle = 0.5 * (from + to);
+        const double spread = margin_ + margin + 0.5 * (to - from).norm();
+        for (const Part &each : parts_)
         {
+            if (grid_->leastDistance(middle + rotation * each.outer.centre) > each.outer.radius + spread)
+            {
+                continue;
+            }
+            const Footprint::Polygon &part = each.corners;
             shape.reset(margin_ + margin);
             Eigen::Vector2d corner = rotation * part.back();
             for (const Eigen::Vector2d &next : part)

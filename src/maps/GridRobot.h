@@ -102,7 +102,14 @@ namespace ompl_mfa::maps
 
         std::shared_ptr<const ObstacleGrid> grid_;
         Footprint footprint_;
-        std::vector<Footprint::Polygon> parts_;
+        /** \brief A convex part of the robot, and a disc around it. */
+        struct Part
+        {
+            Footprint::Polygon corners;
+            Footprint::Circle outer;
+        };
+
+        std::vector<Part> parts_;
         Footprint::Polygon corners_;
         Footprint::Circle inner_;
         Footprint::Circle outer_;

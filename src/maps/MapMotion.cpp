@@ -46,6 +46,8 @@ namespace ompl_mfa::maps
     {
         /* Cells of length up to which a part of a motion is compared with the cells of the grid. */
         constexpr double LONGEST_SWEEP = 24.0;
+        /* Cells by which turns and curves may enlarge the region of such a part: beyond them it is seldom free. */
+        constexpr double LARGEST_SPREAD = 2.0;
 
         struct Part
         {
@@ -84,16 +86,15 @@ namespace ompl_mfa::maps
                 {
                     return Verdict::Blocked;
                 }
-                const bool isShort = extent.bulge + extent.swing <= MOTION_TOLERANCE;
-                if (extent.length > LONGEST_SWEEP || (!isWithin && !isShort))
-                {
-                    return Verdict::Unknown;
-                }
-                if (isWithin && isSweepFree(part, middle, extent))
+                const double spread = extent.bulge + extent.swing;
+                const bool isShort = extent.length <= LONGEST_SWEEP && spread <= MOTION_TOLERANCE;
+                if (isWithin && extent.length <= LONGEST_SWEEP && spread <= LARGEST_SPREAD &&
+                    isSweepFree(part, middle, extent))
                 {
                     return Verdict::Free;
                 }
-                return isShort || (!locates_ && !robot_.isFree(middle)) ? Verdict::Blocked : Verdict::Unknown;
+                const bool isMiddleBlocked = !isShort && !locates_ && isWithin && !robot_.isFree(middle);
+                return isShort || isMiddleBlocked ? Verdict::Blocked : Verdict::Unknown;
             }
 
             /* The end of the free beginning of a part that is blocked, with the same distance from obstacles. */

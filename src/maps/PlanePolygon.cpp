@@ -134,6 +134,50 @@ namespace ompl_mfa::maps
             }
             return flattest;
         }
+        /* The union of two polygons with a common side; empty if they have none. */
+        PlanePolygon joined(const PlanePolygon &first, const PlanePolygon &second)
+        {
+            for (std::size_t i = 0; i < first.size(); ++i)
+            {
+                for (std::size_t j = 0; j < second.size(); ++j)
+                {
+                    if (first[i] != second[(j + 1) % second.size()] || first[(i + 1) % first.size()] != second[j])
+                    {
+                        continue;
+                    }
+                    PlanePolygon corners;
+                    for (std::size_t k = 1; k <= first.size(); ++k)
+                    {
+                        corners.push_back(first[(i + k) % first.size()]);
+                    }
+                    for (std::size_t k = 2; k < second.size(); ++k)
+                    {
+                        corners.push_back(second[(j + k) % second.size()]);
+                    }
+                    return corners;
+                }
+            }
+            return {};
+        }
+
+        /* Replaces two parts by their union if it is convex; false if there are none. */
+        bool joinTwo(std::vector<PlanePolygon> &parts)
+        {
+            for (std::size_t i = 0; i < parts.size(); ++i)
+            {
+                for (std::size_t j = i + 1; j < parts.size(); ++j)
+                {
+                    const PlanePolygon both = joined(parts[i], parts[j]);
+                    if (!both.empty() && isConvex(both))
+                    {
+                        parts[i] = both;
+                        parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
+                        return true;
+                    }
+                }
+            }
+            return false;
+        }
     }  // namespace
 
     double doubleArea(const PlanePolygon &corners)
@@ -231,6 +275,9 @@ namespace ompl_mfa::maps
             left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
         }
         parts.push_back(left);
+        while (joinTwo(parts))
+        {
+        }
         return parts;
     }
 }  // namespace ompl_mfa::maps

@@ -57,8 +57,10 @@ namespace ompl_mfa::maps
     /** \brief Distance of \e point from the nearest side. */
     double distanceToSides(const PlanePolygon &corners, const Eigen::Vector2d &point);
 
-    /** \brief Convex polygons that together are the simple polygon \e corners, which are counterclockwise: the polygon
-        itself if it is convex, or else triangles. */
+    /** \brief Convex polygons that together are the simple polygon \e corners, which are counterclockwise: few of
+        them, and only itself if it is convex.
+
+        Source: S. Hertel and K. Mehlhorn, Fast Triangulation of Simple Polygons, 1983. */
     std::vector<PlanePolygon> convexParts(const PlanePolygon &corners);
 }  // namespace ompl_mfa::maps
 

@@ -139,7 +139,8 @@ namespace ompl_mfa::benchmark
                                                    SeededRun{"fa_paper", 1, 34.558682477862483, 8, 1144.4709244677069},
                                                    SeededRun{"fa_paper", 2, 32.713629716549761, 8, 1143.3761897760505},
                                                    SeededRun{"fa_paper", 8, 32.516322198697935, 8, 1242.0201632521314}),
-                                 [](const auto &info)
-                                 { return std::string(info.param.planner) + "_" + std::to_string(info.param.seed); });
+                                 [](const auto &tested) {
+                                     return std::string(tested.param.planner) + "_" + std::to_string(tested.param.seed);
+                                 });
     }  // namespace
 }  // namespace ompl_mfa::benchmark

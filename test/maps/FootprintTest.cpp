@@ -115,6 +115,9 @@ namespace ompl_mfa::maps
             }
         }
         EXPECT_EQ(Footprint::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}).convexParts().size(), 1U);
+        EXPECT_EQ(Footprint::polygon(SHAPE_L).convexParts().size(), 2U);
+        EXPECT_LE(Footprint::polygon(STAR).convexParts().size(), 5U);
+        EXPECT_LE(Footprint::polygon(COMB).convexParts().size(), 5U);
     }
 
     TEST(Footprint, CirclesAreInsideAndAround)
