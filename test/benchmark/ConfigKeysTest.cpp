@@ -130,7 +130,7 @@ namespace ompl_mfa::benchmark
         void expectRefusals(const std::vector<ConfigRow<Config>> &rows)
         {
             // files are checked when they are read, and the message for a folder is another one
-            const std::set<std::string> paths = {"world", "robot", "output", "scenario"};
+            const std::set<std::string> paths = {"world", "robot", "output", "scenario", "known_map"};
             for (const auto &row : rows)
             {
                 for (std::size_t i = 0; i < row.keys.size(); ++i)
