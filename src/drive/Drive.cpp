@@ -134,7 +134,7 @@ namespace ompl_mfa::drive
                 }
                 if (isRecorded_)
                 {
-                    result_.frames.push_back({world_.takeNews(), {}, {}});
+                    result_.frames.push_back({world_.takeNews(), {}, {}, result_.trail.size() - 1});
                 }
                 return std::move(result_);
             }
@@ -265,7 +265,7 @@ namespace ompl_mfa::drive
                 {
                     return;
                 }
-                DriveFrame frame{world_.takeNews(), {}, {}};
+                DriveFrame frame{world_.takeNews(), {}, {}, result_.trail.size() - 1};
                 if (route_)
                 {
                     frame.path = lineOf(route_->rest());

@@ -89,6 +89,8 @@ namespace ompl_mfa::drive
         std::vector<maps::CellChange> news;
         Line path;
         std::vector<Line> swarm;
+        /** \brief Index of the pose in the trail. */
+        std::size_t place{0};
     };
 
     struct DriveResult
