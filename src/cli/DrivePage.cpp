@@ -128,7 +128,31 @@ namespace ompl_mfa::cli
             return {{"news", toJson(map, frame.news)}, {"path", toJson(map, frame.path)}, {"swarm", swarm}};
         }
 
-        json framesOf(const maps::GridMap &map, const drive::DriveResult &result)
+        /* Indices of poses of the trail that are enough for a picture: about a quarter of a cell apart, with those of
+           the frames. */
+        std::vector<std::size_t> shownPlaces(const maps::GridMap &map, const drive::DriveResult &result)
+        {
+            const double spacing = 0.25 * map.frame().resolution;
+            std::vector<std::size_t> shown;
+            std::size_t frame = 0;
+            for (std::size_t i = 0; i < result.trail.size(); ++i)
+            {
+                bool isFrame = false;
+                while (frame < result.frames.size() && result.frames[frame].place <= i)
+                {
+                    isFrame = true;
+                    ++frame;
+                }
+                if (isFrame || (result.trail[i].position - result.trail[shown.back()].position).norm() >= spacing)
+                {
+                    shown.push_back(i);
+                }
+            }
+            return shown;
+        }
+
+        json framesOf(const maps::GridMap &map, const drive::DriveResult &result,
+                      const std::vector<std::size_t> &places)
         {
             json frames = json::array();
             for (std::size_t i = 0; i < result.frames.size(); ++i)
@@ -139,7 +163,8 @@ namespace ompl_mfa::cli
                 frame["time"] = rounded(isLast ? result.duration : result.periods[i].time);
                 frame["driven"] = rounded(isLast ? result.driven : result.periods[i].driven);
                 frame["blocked"] = !isLast && result.periods[i].isBlocked;
-                frame["point"] = result.frames[i].place;
+                frame["point"] =
+                    std::lower_bound(places.begin(), places.end(), result.frames[i].place) - places.begin();
                 frame["pose"] = toJson(map, drive::DriveFrame::Line{pose.position});
                 frame["pose"].push_back(pose.yaw - map.frame().yaw);
                 frames.push_back(frame);
@@ -188,9 +213,10 @@ namespace ompl_mfa::cli
         page.title = planner + " drives on " + problem.name;
         page.body = bodyOf(page.title, result.frames.size(), command);
         drive::DriveFrame::Line trail;
-        for (const drive::Pose &pose : result.trail)
+        const std::vector<std::size_t> places = shownPlaces(map, result);
+        for (const std::size_t place : places)
         {
-            trail.push_back(pose.position);
+            trail.push_back(result.trail[place].position);
         }
         const auto goal = map.toGrid({problem.goal.x, problem.goal.y});
         page.data = {{"width", map.width()},
@@ -202,7 +228,7 @@ namespace ompl_mfa::cli
                      {"robot", outlineOf(factory.footprint(), map.frame().resolution)},
                      {"goal", {rounded(goal.x()), rounded(goal.y()), problem.goal.theta - map.frame().yaw}},
                      {"status", drive::statusText(result.status)},
-                     {"frames", framesOf(map, result)}};
+                     {"frames", framesOf(map, result, places)}};
         page.data["trail"] = toJson(map, trail);
         page.styles = {report::PAGE_STYLE};
         page.scripts = {report::DRIVE_SCRIPT};

@@ -99,7 +99,7 @@ namespace ompl_mfa::drive
                     world_.learn(world_.felt({{pose.x, pose.y}, pose.theta}));
                 }
                 planner_.emplace(factory.onMap(world_.grid()), spec);
-                stepping_.emplace(planner_->spaceInformation(), world_, factory.footprint());
+                stepping_.emplace(planner_->spaceInformation(), world_, factory.footprint(), problem.turningRadius);
                 state_ = std::make_unique<ob::ScopedState<>>(planner_->spaceInformation());
                 next_ = std::make_unique<ob::ScopedState<>>(planner_->spaceInformation());
                 *state_ = planner_->start();
@@ -209,6 +209,39 @@ namespace ompl_mfa::drive
                 }
             }
 
+            /* Moves next_ to \e distance on the route. Returns whether the robot may go there by what is known. */
+            bool tryStep(double distance, bool isLong)
+            {
+                route_->stateAt(distance, next_->get());
+                return isLong ? stepping_->isKnownFree(state_->get(), next_->get())
+                              : stepping_->isKnownFree(next_->get());
+            }
+
+            /* The end of the next step towards \e end, to which next_ is moved; none if what is known forbids it. Short
+               steps are for robots that turn close to obstacles. */
+            std::optional<double> step(double end)
+            {
+                double to = std::min({route_->driven() + stepping_->longStep(), route_->endOfMotion(), end});
+                bool isLong = true;
+                if (!tryStep(to, true))
+                {
+                    isLong = false;
+                    to = std::min(to, route_->driven() + stepping_->shortStep());
+                    if (!stepping_->turns() || !tryStep(to, false))
+                    {
+                        return std::nullopt;
+                    }
+                }
+                const bool isFree =
+                    isLong ? stepping_->isTrulyFree(state_->get(), next_->get()) : stepping_->isTrulyFree(next_->get());
+                if (!isFree)
+                {
+                    result_.status = DriveStatus::Collision;
+                    return std::nullopt;
+                }
+                return to;
+            }
+
             /* Drives on for \e most, or to the end of the route, or to where what is known, or what is felt on the way,
                does not let it go on. Returns how far. */
             double advance(double most)
@@ -217,21 +250,14 @@ namespace ompl_mfa::drive
                 const double end = std::min(begin + most, route_->length());
                 while (route_->driven() < end)
                 {
-                    // a step ends where a motion ends: in between a car goes on as before
-                    const double to = std::min({route_->driven() + stepping_->step(), route_->endOfMotion(), end});
-                    route_->stateAt(to, next_->get());
-                    if (!stepping_->isKnownFree(state_->get(), next_->get()))
+                    const std::optional<double> to = step(end);
+                    if (!to)
                     {
                         isStopped_ = true;
                         break;
                     }
-                    if (!stepping_->isTrulyFree(state_->get(), next_->get()))
-                    {
-                        result_.status = DriveStatus::Collision;
-                        break;
-                    }
                     std::swap(state_, next_);
-                    route_->setDriven(to);
+                    route_->setDriven(*to);
                     const Pose pose = stepping_->pose(state_->get());
                     result_.trail.push_back(pose);
                     hasChanged_ = world_.learn(world_.felt(pose)) || hasChanged_;
@@ -246,9 +272,9 @@ namespace ompl_mfa::drive
                 {
                     constexpr double SPACING = 8.0;
                     constexpr double MOST = 400.0;
-                    fine.interpolate(
-                        static_cast<unsigned int>(std::clamp(fine.length() / (SPACING * stepping_->step()),
-                                                             static_cast<double>(fine.getStateCount()), MOST)));
+                    const double step = stepping_->longStep();
+                    fine.interpolate(static_cast<unsigned int>(
+                        std::clamp(fine.length() / (SPACING * step), static_cast<double>(fine.getStateCount()), MOST)));
                 }
                 DriveFrame::Line line;
                 for (const ob::State *state : fine.getStates())

@@ -99,7 +99,7 @@ namespace ompl_mfa::drive
         /** \brief Seconds on the robot's clock, which stands still while it plans. */
         double duration{0.0};
         double driven{0.0};
-        /** \brief All poses, at most a quarter of a cell apart. */
+        /** \brief The poses after all steps, at most a quarter of a cell apart. */
         std::vector<Pose> trail;
         std::vector<DrivePeriod> periods;
         /** \brief For each time that the path was blocked: seconds of learning, checking and planning, over as many
@@ -118,7 +118,9 @@ namespace ompl_mfa::drive
 
     /** \brief Lets the robot of \e factory, whose world is a map, drive from start to goal with the planner of \e spec.
         In each period it scans, plans from where it is for the replan time, takes the new path if the old one is
-        blocked or costs more, and drives on, in steps of at most a quarter of a cell that are valid by what it knows.
+        blocked or costs more, and drives on, in steps that are valid by what it knows: their motions, or states of
+       which no point is more than a twentieth of a cell from the state before, for a robot that turns close to
+       obstacles.
 
         Its random numbers are OMPL's. Throws InputError for start or goal in collision, and as createPlanner(). */
     DriveResult drive(const benchmark::ProblemFactory &factory, const std::optional<maps::GridMap> &known,

@@ -37,6 +37,7 @@
 #include "drive/Stepping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -54,27 +55,20 @@ namespace ompl_mfa::drive
     {
         namespace ob = ompl::base;
 
-        /* A space of straight motions whose states are also those of \e space. */
-        ob::StateSpacePtr straightSpace(const ob::StateSpace &space)
-        {
-            if (const auto *plane = dynamic_cast<const ob::SE2StateSpace *>(&space))
-            {
-                auto straight = std::make_shared<ob::SE2StateSpace>();
-                straight->setBounds(plane->getBounds());
-                return straight;
-            }
-            auto straight = std::make_shared<ob::RealVectorStateSpace>(2);
-            straight->setBounds(space.as<ob::RealVectorStateSpace>()->getBounds());
-            return straight;
-        }
-
-        ob::SpaceInformationPtr onGrid(const ob::StateSpace &space, std::shared_ptr<const maps::ObstacleGrid> grid,
+        ob::SpaceInformationPtr onGrid(const ob::StateSpacePtr &space, std::shared_ptr<const maps::ObstacleGrid> grid,
                                        const maps::Footprint &footprint)
         {
-            auto si = std::make_shared<ob::SpaceInformation>(straightSpace(space));
+            auto si = std::make_shared<ob::SpaceInformation>(space);
             maps::setMapChecking(si, std::move(grid), footprint);
             si->setup();
             return si;
+        }
+
+        /* By the distance of \e space per length that a point of a turning robot moves, at least. */
+        double distancePerMovement(const ob::SE2StateSpace &space, bool isCurved, double reach, double turningRadius)
+        {
+            return isCurved ? 1.0 / (1.0 + reach / turningRadius)
+                            : 1.0 / std::max(1.0, reach / space.getSubspaceWeight(1));
         }
     }  // namespace
 
@@ -89,14 +83,22 @@ namespace ompl_mfa::drive
         return {{values[0], values[1]}, 0.0};
     }
 
-    Stepping::Stepping(const ob::SpaceInformationPtr &si, const KnownWorld &world, const maps::Footprint &footprint)
+    Stepping::Stepping(const ob::SpaceInformationPtr &si, const KnownWorld &world, const maps::Footprint &footprint,
+                       double turningRadius)
       : si_(si)
-      , step_(world.truth().map().frame().resolution / 4.0)
+      , true_(onGrid(si->getStateSpace(), world.trueGrid(), footprint))
       , isCurved_(dynamic_cast<const ob::DubinsStateSpace *>(si->getStateSpace().get()) != nullptr ||
                   dynamic_cast<const ob::ReedsSheppStateSpace *>(si->getStateSpace().get()) != nullptr)
-      , known_(onGrid(*si->getStateSpace(), world.grid(), footprint))
-      , true_(onGrid(*si->getStateSpace(), world.trueGrid(), footprint))
+      , turns_(dynamic_cast<const ob::SE2StateSpace *>(si->getStateSpace().get()) != nullptr)
+      , longStep_(0.25 * world.truth().map().frame().resolution)
+      , shortStep_(longStep_)
     {
+        if (turns_)
+        {
+            shortStep_ = 0.05 * world.truth().map().frame().resolution *
+                         distancePerMovement(*si->getStateSpace()->as<ob::SE2StateSpace>(), isCurved_,
+                                             footprint.reach() + footprint.margin(), turningRadius);
+        }
     }
 
     bool Stepping::isBeginningValid(const Route &route) const
@@ -110,20 +112,19 @@ namespace ompl_mfa::drive
         {
             return true;
         }
-        if (!isCurved_)
+        if (!turns_)
         {
             return false;
         }
-        // between states on a curve of OMPL's there may be another curve, by rounding
+        // a part of a valid motion is another motion for the check, and by rounding also for OMPL's curves
         for (double distance = route.driven(); distance < end;)
         {
-            distance = std::min(distance + step_, end);
+            distance = std::min(distance + shortStep_, end);
             route.stateAt(distance, to.get());
-            if (!isKnownFree(from.get(), to.get()))
+            if (!isKnownFree(to.get()))
             {
                 return false;
             }
-            from = to;
         }
         return true;
     }

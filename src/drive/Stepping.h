@@ -48,20 +48,34 @@ namespace ompl_mfa::drive
     /** \brief The pose of \e state in R^2, SE(2) or a space of cars; in R^2 the yaw is 0. */
     Pose poseOf(const ompl::base::SpaceInformation &si, const ompl::base::State *state);
 
-    /** \brief How a robot moves on a map: in steps of at most step(), each of them straight, in what it knows and in
-       the map as it is. A curve is followed by chords, whose distance from it is far below a cell. */
+    /** \brief How a robot moves on a map, in short steps: in what it knows and in the map as it is. */
     class Stepping
     {
     public:
         /** \param si of the planner, with the checks of what \e world knows
             \param world what is known and what is true
-            \param footprint the robot */
-        Stepping(const ompl::base::SpaceInformationPtr &si, const KnownWorld &world, const maps::Footprint &footprint);
+            \param footprint the robot
+            \param turningRadius of a car */
+        Stepping(const ompl::base::SpaceInformationPtr &si, const KnownWorld &world, const maps::Footprint &footprint,
+                 double turningRadius);
 
-        /** \brief A quarter of a cell, in world units. */
-        double step() const
+        /** \brief Lengths of a long and of a short step, by the space's distance. In a long one the robot's reference
+            point moves by at most a quarter of a cell; in a short one no point of the robot moves by more than a
+            twentieth. */
+        double longStep() const
         {
-            return step_;
+            return longStep_;
+        }
+
+        double shortStep() const
+        {
+            return shortStep_;
+        }
+
+        /** \brief Whether the robot turns, so that the checks of motions are not exact. */
+        bool turns() const
+        {
+            return turns_;
         }
 
         /** \brief Whether the planner's motions are the curves of a car. */
@@ -75,17 +89,28 @@ namespace ompl_mfa::drive
             return poseOf(*si_, state);
         }
 
-        /** \brief Whether the straight motion between two states is valid in what is known; \e from is assumed to
-            be. */
+        /** \brief Whether the motion between two states is valid, in what is known or in truth; \e from is assumed to
+            be. That of a robot that turns may be taken to be invalid if it comes close to an obstacle, and even if it
+           is a part of a motion that is valid. */
         bool isKnownFree(const ompl::base::State *from, const ompl::base::State *to) const
         {
-            return known_->checkMotion(from, to);
+            return si_->checkMotion(from, to);
         }
 
-        /** \brief The same on the map as it is. */
         bool isTrulyFree(const ompl::base::State *from, const ompl::base::State *to) const
         {
             return true_->checkMotion(from, to);
+        }
+
+        /** \brief Whether a state is valid, in what is known or in truth. */
+        bool isKnownFree(const ompl::base::State *state) const
+        {
+            return si_->isValid(state);
+        }
+
+        bool isTrulyFree(const ompl::base::State *state) const
+        {
+            return true_->isValid(state);
         }
 
         /** \brief Whether the \e route is valid from where the robot is on, in what is known. */
@@ -95,10 +120,11 @@ namespace ompl_mfa::drive
         bool isBeginningValid(const Route &route) const;
 
         ompl::base::SpaceInformationPtr si_;
-        double step_;
-        bool isCurved_;
-        ompl::base::SpaceInformationPtr known_;
         ompl::base::SpaceInformationPtr true_;
+        bool isCurved_;
+        bool turns_;
+        double longStep_;
+        double shortStep_{0.0};
     };
 }  // namespace ompl_mfa::drive
 
