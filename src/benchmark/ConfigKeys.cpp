@@ -337,6 +337,35 @@ namespace ompl_mfa::benchmark
                      "what a path at that distance costs per length, in addition to 1");
         }
 
+        /* A number of the drive's settings, whose default is that of a new config. */
+        void addDriveNumber(Rows<ProblemConfig> &rows, const std::string &key, double DriveConfig::*member,
+                            const std::string &meaning)
+        {
+            rows.add(
+                {key},
+                positive(), [member](ProblemConfig & problem, std::size_t) -> auto & { return problem.drive.*member; },
+                text::numberText(DriveConfig().*member), meaning);
+        }
+
+        void addDrive(Rows<ProblemConfig> &rows)
+        {
+            rows.add(
+                {"known_map"}, file("a map (.yaml, .map) of the size of the world's"),
+                [](ProblemConfig & problem, std::size_t) -> auto & { return problem.drive.knownMap; },
+                "nothing is known", "what the robot knows of the map before it drives");
+            addDriveNumber(rows, "sensor.range", &DriveConfig::range, "how far its lidar sees");
+            rows.add(
+                {"sensor.rays"}, whole(100000),
+                [](ProblemConfig & problem, std::size_t) -> auto & { return problem.drive.rays; },
+                std::to_string(DriveConfig().rays), "rays of its lidar, all around");
+            addDriveNumber(rows, "drive.speed", &DriveConfig::speed, "world units per second");
+            addDriveNumber(rows, "drive.period", &DriveConfig::period, "seconds between two scans");
+            addDriveNumber(rows, "drive.replan_time", &DriveConfig::replanTime, "seconds of planning in each period");
+            addDriveNumber(rows, "drive.patience", &DriveConfig::patience,
+                           "seconds of planning without a path after which the robot gives up");
+            addDriveNumber(rows, "drive.time_limit", &DriveConfig::timeLimit, "seconds that the robot may drive");
+        }
+
         const Words<SamplerKind> SAMPLERS = {{"uniform", SamplerKind::Uniform},
                                              {"gaussian", SamplerKind::Gaussian},
                                              {"obstacle_based", SamplerKind::ObstacleBased},
@@ -376,6 +405,7 @@ namespace ompl_mfa::benchmark
                      oneOf<MeshInterior>({{"free", MeshInterior::Free}, {"solid", MeshInterior::Solid}}),
                      &ProblemConfig::meshInterior,
                      "the inside of a mesh, free as in OMPL.app; solid meshes have to be closed");
+            addDrive(rows);
             return rows.take();
         }();
         return ROWS;

@@ -391,6 +391,19 @@ namespace ompl_mfa::benchmark
         place(config_.problem.goal, selected.goal);
     }
 
+    ProblemFactory ProblemFactory::onMap(std::shared_ptr<const maps::ObstacleGrid> grid) const
+    {
+        ProblemFactory factory = *this;
+        factory.map_ = std::move(grid);
+        return factory;
+    }
+
+    void ProblemFactory::setStartAndGoal(const ConfigPose &start, const ConfigPose &goal)
+    {
+        config_.problem.start = start;
+        config_.problem.goal = goal;
+    }
+
     ob::RealVectorBounds ProblemFactory::bounds() const
     {
         if (!map_ || config_.problem.volume)

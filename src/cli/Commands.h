@@ -50,6 +50,7 @@ namespace ompl_mfa::cli
     void addAnimateCommand(CLI::App &app);
     void addBenchmarkCommand(CLI::App &app);
     void addCheckCommand(CLI::App &app);
+    void addDriveCommand(CLI::App &app);
     void addMergeCommand(CLI::App &app);
     void addOptimizeCommand(CLI::App &app);
     void addPlanCommand(CLI::App &app);

@@ -160,6 +160,7 @@ namespace
         ompl_mfa::cli::addAnimateCommand(app);
         ompl_mfa::cli::addBenchmarkCommand(app);
         ompl_mfa::cli::addCheckCommand(app);
+        ompl_mfa::cli::addDriveCommand(app);
         ompl_mfa::cli::addMergeCommand(app);
         ompl_mfa::cli::addOptimizeCommand(app);
         ompl_mfa::cli::addPlanCommand(app);

@@ -38,6 +38,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "maps/DistanceTransform.h"
@@ -61,32 +62,135 @@ namespace ompl_mfa::maps
         }
     }  // namespace
 
-    ObstacleGrid::ObstacleGrid(GridMap map, UnknownCells unknown)
+    ObstacleGrid::ObstacleGrid(GridMap map, UnknownCells unknown, double farthest)
       : map_(std::move(map))
+      , unknown_(unknown)
+      , farthest_(std::max(1.0, farthest))
       , columns_(static_cast<std::int64_t>(map_.width()) + 2)
       , rows_(static_cast<std::int64_t>(map_.height()) + 2)
       , words_((columns_ + WORD - 1) / WORD)
       , bits_(static_cast<std::size_t>(words_ * rows_))
     {
-        std::vector<std::uint8_t> occupied(static_cast<std::size_t>(columns_ * rows_), 1);
-        for (std::size_t y = 0; y < map_.height(); ++y)
-        {
-            const Cell *cells = &map_.cells()[y * map_.width()];
-            std::uint8_t *row = &occupied[(y + 1) * static_cast<std::size_t>(columns_) + 1];
-            for (std::size_t x = 0; x < map_.width(); ++x)
-            {
-                row[x] = cells[x] == Cell::Occupied || (cells[x] == Cell::Unknown && unknown == UnknownCells::Occupied);
-            }
-        }
         for (std::int64_t y = 0; y < rows_; ++y)
         {
+            const bool isFrame = y == 0 || y == rows_ - 1;
+            const Cell *cells = isFrame ? nullptr : &map_.cells()[static_cast<std::size_t>(y - 1) * map_.width()];
+            std::uint64_t *words = &bits_[static_cast<std::size_t>(y * words_)];
             for (std::int64_t x = 0; x < columns_; ++x)
             {
-                bits_[static_cast<std::size_t>(y * words_ + x / WORD)] |=
-                    std::uint64_t{occupied[static_cast<std::size_t>(y * columns_ + x)]} << (x % WORD);
+                const bool isSet = isFrame || x == 0 || x == columns_ - 1 || isObstacle(cells[x - 1]);
+                words[x / WORD] |= std::uint64_t{isSet} << (x % WORD);
             }
         }
-        distances_ = signedDistances(occupied, static_cast<std::size_t>(columns_), static_cast<std::size_t>(rows_));
+        computeDistances({0, columns_ - 1, 0, rows_ - 1});
+    }
+
+    bool ObstacleGrid::isObstacle(Cell cell) const
+    {
+        return cell == Cell::Occupied || (cell == Cell::Unknown && unknown_ == UnknownCells::Occupied);
+    }
+
+    void ObstacleGrid::setBit(std::int64_t x, std::int64_t y, bool isObstacle)
+    {
+        std::uint64_t &word = bits_[static_cast<std::size_t>(y * words_ + x / WORD)];
+        const std::uint64_t bit = std::uint64_t{1} << (x % WORD);
+        word = isObstacle ? word | bit : word & ~bit;
+    }
+
+    ObstacleGrid::Window ObstacleGrid::grown(const Window &window, double distance) const
+    {
+        const auto cells = static_cast<std::int64_t>(std::ceil(std::min(distance, 1e9)));
+        return {std::max(std::int64_t{0}, window.left - cells), std::min(columns_ - 1, window.right + cells),
+                std::max(std::int64_t{0}, window.low - cells), std::min(rows_ - 1, window.high + cells)};
+    }
+
+    void ObstacleGrid::computeDistances(const Window &changed)
+    {
+        // distances up to the farthest are decided by obstacles as far from their cells
+        const Window target = grown(changed, farthest_);
+        const Window source = grown(target, farthest_);
+        const std::int64_t width = source.right - source.left + 1;
+        const std::int64_t height = source.high - source.low + 1;
+        std::vector<std::uint8_t> occupied(static_cast<std::size_t>(width * height));
+        for (std::int64_t y = 0; y < height; ++y)
+        {
+            const std::uint64_t *words = &bits_[static_cast<std::size_t>((y + source.low) * words_)];
+            std::uint8_t *row = &occupied[static_cast<std::size_t>(y * width)];
+            for (std::int64_t x = 0; x < width; ++x)
+            {
+                const std::int64_t column = x + source.left;
+                row[x] = (words[column / WORD] >> (column % WORD)) & 1U;
+            }
+        }
+        std::vector<float> distances =
+            signedDistances(occupied, static_cast<std::size_t>(width), static_cast<std::size_t>(height));
+        if (std::isinf(farthest_))
+        {
+            distances_ = std::move(distances);
+            return;
+        }
+        distances_.resize(static_cast<std::size_t>(columns_ * rows_));
+        const auto farthest = static_cast<float>(farthest_);
+        for (std::int64_t y = target.low; y <= target.high; ++y)
+        {
+            const float *row = &distances[static_cast<std::size_t>((y - source.low) * width)];
+            float *to = &distances_[static_cast<std::size_t>(y * columns_)];
+            for (std::int64_t x = target.left; x <= target.right; ++x)
+            {
+                to[x] = std::clamp(row[x - source.left], -farthest, farthest);
+            }
+        }
+    }
+
+    bool ObstacleGrid::update(const std::vector<CellChange> &changes)
+    {
+        // Changes that are far apart, such as the ends of a lidar's rays, are cheaper in separate windows.
+        constexpr std::int64_t BLOCK = 64;
+        std::map<std::pair<std::int64_t, std::int64_t>, Window> windows;
+        const auto extend = [](Window &window, std::int64_t x, std::int64_t y) {
+            window = {std::min(window.left, x), std::max(window.right, x), std::min(window.low, y),
+                      std::max(window.high, y)};
+        };
+        for (const CellChange &change : changes)
+        {
+            const bool before = isObstacle(map_.cell(change.x, change.y));
+            map_.setCell(change.x, change.y, change.cell);
+            if (before == isObstacle(change.cell))
+            {
+                continue;
+            }
+            const auto x = static_cast<std::int64_t>(change.x) + 1;
+            const auto y = static_cast<std::int64_t>(change.y) + 1;
+            setBit(x, y, !before);
+            extend(windows.emplace(std::make_pair(x / BLOCK, y / BLOCK), Window{x, x, y, y}).first->second, x, y);
+        }
+        if (windows.empty())
+        {
+            return false;
+        }
+        Window all = windows.begin()->second;
+        double separate = 0.0;
+        const auto work = [this](const Window &changed)
+        {
+            const Window source = grown(changed, 2.0 * farthest_);
+            return static_cast<double>((source.right - source.left + 1) * (source.high - source.low + 1));
+        };
+        for (const auto &[block, window] : windows)
+        {
+            extend(all, window.left, window.low);
+            extend(all, window.right, window.high);
+            separate += work(window);
+        }
+        if (work(all) <= separate)
+        {
+            computeDistances(all);
+            return true;
+        }
+        for (const auto &[block, window] : windows)
+        {
+            computeDistances(window);
+        }
+        return true;
     }
 
     bool ObstacleGrid::isOccupied(std::int64_t x, std::int64_t y) const
@@ -156,6 +260,10 @@ namespace ompl_mfa::maps
         const std::int64_t y = cellOf(position.y(), rows_);
         const Eigen::Vector2d centre(static_cast<double>(x) - HALF_SIDE, static_cast<double>(y) - HALF_SIDE);
         const double centres = between(x, y);
+        if (centres >= farthest_)
+        {
+            return static_cast<double>(columns_ + rows_) + (position - centre).norm();
+        }
         return centres > 0.0 ? centres * (1.0 + ROUNDING) - HALF_SIDE + (position - centre).norm() : 0.0;
     }
 }  // namespace ompl_mfa::maps

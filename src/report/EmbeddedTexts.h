@@ -47,9 +47,10 @@ namespace ompl_mfa::report
     extern const std::string_view DYGRAPH_STYLE;
     /** \brief The styles of all pages. */
     extern const std::string_view PAGE_STYLE;
-    /** \brief The scripts of the page of results and of the animated swarm. */
+    /** \brief The scripts of the page of results, of the animated swarm and of a drive. */
     extern const std::string_view REPORT_SCRIPT;
     extern const std::string_view SWARM_SCRIPT;
+    extern const std::string_view DRIVE_SCRIPT;
 }  // namespace ompl_mfa::report
 
 #endif

@@ -132,7 +132,7 @@ namespace ompl_mfa::benchmark
             // files and names in them are checked when they are read, and the message for a folder is another one
             const std::set<std::string> paths = {"world",       "robot",          "output",        "robot.semantics",
                                                  "robot.group", "robot.packages", "robot.request", "start",
-                                                 "goal",        "scenario"};
+                                                 "goal",        "scenario",       "known_map"};
             for (const auto &row : rows)
             {
                 for (std::size_t i = 0; i < row.keys.size(); ++i)

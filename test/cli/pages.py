@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Opens the pages of `ompl_mfa report` and `animate` in headless Chromium, at two widths, and checks that they draw.
+"""Opens the pages of `ompl_mfa report`, `animate` and `drive` in headless Chromium, at two widths, and checks that they draw.
 
 pages.py PROGRAM SOURCE_DIR [SCREENSHOT_DIR]: runs two small campaigns with PROGRAM; exit status 77 if Chromium is not
 installed.
@@ -136,6 +136,50 @@ def check_animation(browser, page, screenshots):
     wait_for("the animation to play", lambda: browser.run("return Number(document.getElementById('slider').value)") > 1, 20)
 
 
+def check_drive(browser, page, screenshots):
+    for width in WIDTHS:
+        browser.resize(width, 1000)
+        browser.go("file://" + page)
+        require_no_overflow(browser, page, width)
+        states, drawn = [], []
+        for part in (0, 0.5, 1):
+            browser.run("const slider = document.getElementById('slider');"
+                        "slider.value = Math.round(arguments[0] * slider.max);"
+                        "slider.dispatchEvent(new Event('input'))", part)
+            # what is known as an obstacle is dark, what is not known is the grey of a cell
+            drawn.append(browser.run("""
+                const canvas = document.querySelector('.drive canvas');
+                const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+                let dark = 0, unknown = 0;
+                for (let i = 0; i < pixels.length; i += 4) {
+                    dark += pixels[i] === 0x2b && pixels[i + 1] === 0x2b && pixels[i + 2] === 0x2b;
+                    unknown += pixels[i] === 0xcc && pixels[i + 1] === 0xd2 && pixels[i + 2] === 0xd9;
+                }
+                return [dark, unknown];"""))
+            states.append(browser.run("return document.querySelector('.state').textContent"))
+            keep(browser, screenshots, f"drive_{width}_{part}")
+        assert drawn[0][0] < 0.5 * drawn[1][0] and drawn[2][0] > 0.9 * drawn[1][0], drawn  # the path hides some
+        assert drawn[0][1] > drawn[1][1] > drawn[2][1], drawn
+        assert len(set(states)) == 3 and states[2].endswith(", arrived"), states
+        require_no_errors(browser, page)
+    browser.run("document.getElementById('slider').value = 0; document.getElementById('slider')."
+                "dispatchEvent(new Event('input')); document.getElementById('play').click()")
+    wait_for("the drive to play", lambda: browser.run("return Number(document.getElementById('slider').value)") > 1, 20)
+    require_no_errors(browser, page)
+
+
+def make_drive(program, folder, page):
+    """A wall of which the robot knows nothing."""
+    rows = ["".join("@" if x == 20 and y > 3 else "." for x in range(40)) for y in range(25)]
+    with open(os.path.join(folder, "wall.map"), "w") as file:
+        file.write("type octile\nheight 25\nwidth 40\nmap\n" + "\n".join(rows) + "\n")
+    config = os.path.join(folder, "drive.cfg")
+    with open(config, "w") as file:
+        file.write("[problem]\nworld = wall.map\nrobot = disc\nrobot.radius = 0.6\nstart.x = 3\nstart.y = 12\n"
+                   "goal.x = 36\ngoal.y = 12\ndrive.speed = 2\n")
+    subprocess.run([program, "drive", config, "--animation", page], check=True, stdout=subprocess.DEVNULL)
+
+
 def check_picture(browser, picture, screenshots):
     """The paths of the swarms are elsewhere at another time, and the right caption is shown."""
     browser.resize(900, 520)
@@ -174,9 +218,12 @@ def main():
         for output in (swarm, picture):
             subprocess.run([program, "animate", os.path.join(folder, "wide.cfg"), "-o", output, "--generations", "20"],
                            check=True)
+        drive = os.path.join(folder, "drive.html")
+        make_drive(program, folder, drive)
         browser = Browser(folder)
         check_report(browser, report, screenshots)
         check_animation(browser, swarm, screenshots)
+        check_drive(browser, drive, screenshots)
         check_picture(browser, picture, screenshots)
     finally:
         if browser:

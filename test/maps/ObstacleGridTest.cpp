@@ -137,4 +137,73 @@ namespace ompl_mfa::maps
         EXPECT_LE(grid.leastDistance({7.0, 2.0}), 0.0);
         EXPECT_EQ(grid.largestDistance({1e30, -1e30}), 0.0);
     }
+
+    TEST(ObstacleGrid, UpdatedDistancesAreThoseOfANewGrid)
+    {
+        std::mt19937 random(11);
+        for (int round = 0; round < 60; ++round)
+        {
+            const std::size_t width = 1 + random() % 180;
+            const std::size_t height = 1 + random() % 180;
+            const UnknownCells unknown = random() % 2 == 0 ? UnknownCells::Free : UnknownCells::Occupied;
+            const double farthest = std::vector<double>{1.0, 2.5, 7.0, 30.0, 1000.0, INFINITY}[random() % 6];
+            ObstacleGrid grid(test::randomMap(random, width, height, 1 + static_cast<unsigned int>(random() % 100)),
+                              unknown, farthest);
+            for (int step = 0; step < 6; ++step)
+            {
+                // a few cells at one place or anywhere, of which some stay what they are
+                std::vector<CellChange> changes;
+                const std::size_t spread = std::vector<std::size_t>{2, 12, 200}[random() % 3];
+                const std::size_t left = random() % width;
+                const std::size_t low = random() % height;
+                for (std::size_t i = random() % 40; i-- > 0;)
+                {
+                    changes.push_back({std::min(left + random() % spread, width - 1),
+                                       std::min(low + random() % spread, height - 1), static_cast<Cell>(random() % 3)});
+                }
+                const ObstacleGrid before = grid;
+                const bool isChanged = grid.update(changes);
+                const ObstacleGrid made(grid.map(), unknown, farthest);
+                bool differs = false;
+                for (int y = -1; y <= static_cast<int>(height); ++y)
+                {
+                    for (int x = -1; x <= static_cast<int>(width); ++x)
+                    {
+                        const Point centre(x + 0.5, y + 0.5);
+                        ASSERT_EQ(grid.isOccupied(x, y), made.isOccupied(x, y));
+                        ASSERT_EQ(grid.distance(centre), made.distance(centre)) << x << ", " << y;
+                        ASSERT_EQ(grid.leastDistance(centre), made.leastDistance(centre));
+                        ASSERT_EQ(grid.largestDistance(centre), made.largestDistance(centre));
+                        differs = differs || before.isOccupied(x, y) != grid.isOccupied(x, y);
+                    }
+                }
+                // what was changed and changed back in one update may be reported
+                ASSERT_TRUE(isChanged || !differs);
+                for (const CellChange &change : changes)
+                {
+                    ASSERT_TRUE(isChanged || grid.map().cell(change.x, change.y) != Cell::Occupied ||
+                                before.isOccupied(static_cast<int>(change.x), static_cast<int>(change.y)));
+                }
+            }
+        }
+    }
+
+    TEST(ObstacleGrid, LimitedDistancesBoundTheTrueOnes)
+    {
+        std::mt19937 random(12);
+        const GridMap map = test::randomMap(random, 90, 70, 400);
+        const ObstacleGrid exact(map);
+        const ObstacleGrid limited(map, UnknownCells::Occupied, 5.0);
+        int beyond = 0;
+        for (int round = 0; round < 5000; ++round)
+        {
+            const Point point(test::uniform(random, 0.0, 90.0), test::uniform(random, 0.0, 70.0));
+            const double outside = test::distanceFrom(map, {point});
+            ASSERT_LE(limited.leastDistance(point), outside);
+            ASSERT_GE(limited.largestDistance(point), outside);
+            ASSERT_NEAR(limited.distance(point), std::min(exact.distance(point), 4.5), 1.0);
+            beyond += exact.distance(point) > 6.0 ? 1 : 0;
+        }
+        EXPECT_GT(beyond, 100);
+    }
 }  // namespace ompl_mfa::maps

@@ -160,6 +160,27 @@ namespace ompl_mfa::benchmark
         double padding{0.0};
     };
 
+    /** \brief A robot that drives and knows a map only in part, for `ompl_mfa drive`. */
+    struct DriveConfig
+    {
+        /** \brief The map that the robot knows at first; it knows nothing if not set. */
+        std::optional<ConfigEntry> knownMap;
+        /** \brief World units that the lidar sees. */
+        double range{8.0};
+        /** \brief Number of its rays, all around. */
+        unsigned int rays{720};
+        /** \brief World units per second. */
+        double speed{1.0};
+        /** \brief Seconds between two scans. */
+        double period{0.2};
+        /** \brief Seconds of planning in each period. */
+        double replanTime{0.05};
+        /** \brief Seconds of planning without a path after which the robot gives up. */
+        double patience{5.0};
+        /** \brief Seconds that the robot may take. */
+        double timeLimit{1000.0};
+    };
+
     /** \brief Corners of a polygon: x and y. */
     using FootprintCorners = std::vector<std::array<double, 2>>;
 
@@ -219,6 +240,7 @@ namespace ompl_mfa::benchmark
         /** \brief Motions on a map are checked continuously if it is not set, those in other worlds discretely. */
         std::optional<Given<collision::MotionValidation>> motionValidation;
         collision::MeshInterior meshInterior{collision::MeshInterior::Free};
+        DriveConfig drive;
         /** \brief For all planners. */
         ContextConfig context;
         /** \brief Only for an arm. */

@@ -93,6 +93,12 @@ namespace ompl_mfa::benchmark
             return map_.get();
         }
 
+        /** \brief A factory of the same problems on \e grid in place of its map, which it has to have. */
+        ProblemFactory onMap(std::shared_ptr<const maps::ObstacleGrid> grid) const;
+
+        /** \brief Replaces the start and the goal of config(). */
+        void setStartAndGoal(const ConfigPose &start, const ConfigPose &goal);
+
         /** \brief The robot on a map; a point in other worlds. */
         const maps::Footprint &footprint() const
         {

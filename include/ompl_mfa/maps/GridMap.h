@@ -95,6 +95,12 @@ namespace ompl_mfa::maps
             return cells_[y * width_ + x];
         }
 
+        /** \brief Sets the cell in column x < width() and row y < height(). */
+        void setCell(std::size_t x, std::size_t y, Cell cell)
+        {
+            cells_[y * width_ + x] = cell;
+        }
+
         const std::vector<Cell> &cells() const
         {
             return cells_;

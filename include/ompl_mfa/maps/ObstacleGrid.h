@@ -37,7 +37,9 @@
 #ifndef OMPL_MFA_MAPS_OBSTACLE_GRID_
 #define OMPL_MFA_MAPS_OBSTACLE_GRID_
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -54,14 +56,40 @@ namespace ompl_mfa::maps
         Free
     };
 
+    /** \brief What a cell is from now on. */
+    struct CellChange
+    {
+        std::size_t x;
+        std::size_t y;
+        Cell cell;
+    };
+
     /** \brief The obstacles of a map, closed squares, and the distances to them. Everything outside of the map is an
         obstacle. Positions and distances are in cells, see GridMap::toGrid().
 
-        Made once in time linear in the number of cells; const functions are safe to call from several threads. */
+        Made in time linear in the number of cells; const functions are safe to call from several threads, but not
+        during update(). */
     class OMPL_MFA_EXPORT ObstacleGrid
     {
     public:
-        explicit ObstacleGrid(GridMap map, UnknownCells unknown = UnknownCells::Occupied);
+        /** \param map the cells
+            \param unknown whether unknown cells are obstacles
+            \param farthest cells, at least 1: larger distances are not told apart, which bounds the work of update() */
+        explicit ObstacleGrid(GridMap map, UnknownCells unknown = UnknownCells::Occupied,
+                              double farthest = std::numeric_limits<double>::infinity());
+
+        /** \brief Changes cells of the map. The distances are those of a new grid, to the bit; they are computed again
+            within farthest() of obstacles that appear or disappear. Returns whether there is one.
+
+            What was computed from the grid before, such as the validity of states, may change: call
+            MFA::validityChanged(). */
+        bool update(const std::vector<CellChange> &changes);
+
+        /** \brief Cells: the largest distance that is told apart from larger ones. */
+        double farthest() const
+        {
+            return farthest_;
+        }
 
         const GridMap &map() const
         {
@@ -75,7 +103,7 @@ namespace ompl_mfa::maps
         bool isAnyOccupied(std::int64_t row, std::int64_t first, std::int64_t last) const;
 
         /** \brief Signed distance from \e position to the nearest obstacle, or minus that to the nearest free cell,
-            interpolated between the centres of cells: continuous, and true to within a cell. */
+            interpolated between the centres of cells: continuous, and true to within a cell up to farthest(). */
         double distance(const Eigen::Vector2d &position) const;
 
         /** \brief A distance within which there is no obstacle around \e position; negative if this is not known of any
@@ -93,7 +121,23 @@ namespace ompl_mfa::maps
             return distances_[static_cast<std::size_t>(y * columns_ + x)];
         }
 
+        /** \brief Cells from the first to the last column and row, both included, counted from the frame. */
+        struct Window
+        {
+            std::int64_t left;
+            std::int64_t right;
+            std::int64_t low;
+            std::int64_t high;
+        };
+
+        Window grown(const Window &window, double distance) const;
+        bool isObstacle(Cell cell) const;
+        void setBit(std::int64_t x, std::int64_t y, bool isObstacle);
+        void computeDistances(const Window &changed);
+
         GridMap map_;
+        UnknownCells unknown_;
+        double farthest_;
         /** \brief Size of the map with a frame of one cell around it. */
         std::int64_t columns_;
         std::int64_t rows_;
