@@ -340,7 +340,8 @@ namespace ompl_mfa::robots
 
         TEST_F(RobotProblemTest, FaultsOfPosesAreOneLine)
         {
-            expectFault(POSES + poseGoal("[9, 0, 0]", ""), "request.yaml:3", "'tool' is out of reach", "9.005 m", "m long");
+            expectFault(POSES + poseGoal("[9, 0, 0]", ""), "request.yaml:3", "'tool' is out of reach", "9.005 m",
+                        "m long");
             expectFault(POSES + poseGoal("[0.5, 0, 0.5]", "", "{type: cone, dimensions: [1, 1]}"), "box", "sphere");
             expectFault(POSES + poseGoal("[0.5, 0, 0.5]", "", "{type: sphere, dimensions: [1]}", "tol"), "'tol'",
                         "tool");

@@ -79,8 +79,7 @@ namespace ompl_mfa
         /** \brief Called before some columns of \e points (d x k), those where \e wanted (k) is true, are evaluated one
             after the other, so that an objective can compute many values at once. Fewer may be evaluated, none is if
             the optimiser is interrupted, and after an interruption the call may be repeated. */
-        virtual void prepare(const Eigen::Ref<const Eigen::MatrixXd> & /*points*/,
-                             const std::vector<bool> & /*wanted*/)
+        virtual void prepare(const Eigen::Ref<const Eigen::MatrixXd> & /*points*/, const std::vector<bool> & /*wanted*/)
         {
         }
 
