@@ -55,7 +55,7 @@ if(TARGET ompl_mfa_maps)
 endif()
 if(TARGET ompl_mfa_robots)
     ompl_mfa_pkg_config(ompl_mfa_robots "Robot arms for OMPL"
-                        REQUIRES ompl_mfa_collision urdfdom tinyxml2 orocos-kdl)
+                        REQUIRES ompl_mfa_collision urdfdom tinyxml2)
 endif()
 if(TARGET ompl_mfa_benchmark)
     ompl_mfa_pkg_config(ompl_mfa_benchmark "OMPL benchmark configs, campaigns and logs"

@@ -39,9 +39,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <kdl/chain.hpp>
-#include <kdl/chainfksolverpos_recursive.hpp>
-#include <kdl/chainjnttojacsolver.hpp>
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include "ompl_mfa/InputError.h"
 #include "robots/UnknownName.h"
@@ -54,59 +53,75 @@ namespace ompl_mfa::robots
         constexpr double PI = 3.141592653589793;
         constexpr double POSITION_ACCURACY = 1e-5;
         constexpr double ROTATION_ACCURACY = 1e-4;
-
-        KDL::Frame frameOf(const fcl::Transform3d &pose)
-        {
-            const fcl::Matrix3d &r = pose.linear();
-            const fcl::Vector3d &p = pose.translation();
-            return {KDL::Rotation(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)),
-                    KDL::Vector(p.x(), p.y(), p.z())};
-        }
-
-        fcl::Transform3d poseOf(const KDL::Frame &frame)
-        {
-            fcl::Transform3d pose = fcl::Transform3d::Identity();
-            for (int row = 0; row < 3; ++row)
-            {
-                pose.translation()[row] = frame.p(row);
-                for (int column = 0; column < 3; ++column)
-                {
-                    pose.linear()(row, column) = frame.M(row, column);
-                }
-            }
-            return pose;
-        }
-
-        KDL::Segment segmentOf(const Joint &joint)
-        {
-            const KDL::Frame origin = frameOf(joint.origin);
-            const KDL::Vector axis = origin.M * KDL::Vector(joint.axis.x(), joint.axis.y(), joint.axis.z());
-            const auto kind = joint.type == JointType::Prismatic ? KDL::Joint::TransAxis : KDL::Joint::RotAxis;
-            return KDL::Segment(KDL::Joint(joint.name, origin.p, axis, kind), origin);
-        }
     }  // namespace
 
-    // KDL's own solvers by singular values are not used: Debian's libkdl and libompl have the same functions of
-    // different versions of Eigen, and the dynamic linker mixes them.
+    // Orocos KDL is not used: Debian's library and libompl contain the same functions of different versions of Eigen.
+    // The dynamic linker mixes them, and OMPL's informed samplers crash.
     struct PoseSampler::Chain
     {
-        explicit Chain(const KDL::Chain &segments)
-          : chain(segments)
-          , forward(chain)
-          , derivative(chain)
-          , joints(chain.getNrOfJoints())
-          , jacobian(chain.getNrOfJoints())
+        /* A fixed pose, behind which there may be a joint. */
+        struct Segment
         {
+            fcl::Transform3d origin{fcl::Transform3d::Identity()};
+            const Joint *joint{nullptr};
+            std::size_t variable{0};  ///< index in the group
+        };
+
+        std::vector<Segment> segments;  ///< all but the last one have a joint
+
+        std::vector<std::size_t> variables;  ///< those of the segments
+        Eigen::VectorXd values;
+        fcl::Transform3d reached{fcl::Transform3d::Identity()};
+        Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian;  ///< rows: position, rotation about the axes of the world
+
+        void finish()
+        {
+            for (const Segment &segment : segments)
+            {
+                if (segment.joint != nullptr)
+                {
+                    variables.push_back(segment.variable);
+                }
+            }
+            const auto count = static_cast<Eigen::Index>(variables.size());
+            values.setZero(count);
+            jacobian.setZero(6, count);
         }
 
-        KDL::Chain chain;
-        KDL::ChainFkSolverPos_recursive forward;
-        KDL::ChainJntToJacSolver derivative;
-        KDL::JntArray joints;
-        KDL::Jacobian jacobian;
-
-        // Index in the group of each joint of the chain.
-        std::vector<std::size_t> variables;
+        /* Sets pose and Jacobian for the present values. */
+        void update()
+        {
+            const auto count = values.size();
+            Eigen::Matrix<double, 3, Eigen::Dynamic> axes(3, count);
+            Eigen::Matrix<double, 3, Eigen::Dynamic> points(3, count);
+            reached = fcl::Transform3d::Identity();
+            Eigen::Index column = 0;
+            for (const Segment &segment : segments)
+            {
+                reached = reached * segment.origin;
+                if (segment.joint != nullptr)
+                {
+                    axes.col(column) = reached.linear() * segment.joint->axis;
+                    points.col(column) = reached.translation();
+                    reached = reached * jointMotion(*segment.joint, values[column]);
+                    ++column;
+                }
+            }
+            column = 0;
+            for (const Segment &segment : segments)
+            {
+                if (segment.joint == nullptr)
+                {
+                    continue;
+                }
+                const fcl::Vector3d axis = axes.col(column);
+                const bool slides = segment.joint->type == JointType::Prismatic;
+                const fcl::Vector3d lever = reached.translation() - points.col(column);
+                jacobian.block<3, 1>(0, column) = slides ? axis : fcl::Vector3d(axis.cross(lever));
+                jacobian.block<3, 1>(3, column) = slides ? fcl::Vector3d(fcl::Vector3d::Zero()) : axis;
+                ++column;
+            }
+        }
     };
 
     PoseSampler::PoseSampler(const PlacedRobot &robot, const PoseTarget &target)
@@ -188,20 +203,19 @@ namespace ompl_mfa::robots
         {
             path.insert(path.begin(), at - 1);
         }
-        KDL::Chain segments;
-        segments.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::Fixed), frameOf(robot.base)));
-        std::vector<std::size_t> variables;
+        chain_ = std::make_unique<Chain>();
+        fcl::Transform3d origin = robot.base;
         for (const std::size_t index : path)
         {
             const Joint &joint = robot.model->joints()[index];
             const std::size_t source = joint.mimic ? joint.mimic->joint : index;
             const auto variable = std::find(robot.group.begin(), robot.group.end(), source);
+            origin = origin * joint.origin;
             if (!joint.isMoving() || variable == robot.group.end())
             {
                 const double value = joint.mimic ? joint.mimic->multiplier * robot.values[source] + joint.mimic->offset
                                                  : robot.values[index];
-                segments.addSegment(
-                    KDL::Segment(KDL::Joint(KDL::Joint::Fixed), frameOf(joint.origin * jointMotion(joint, value))));
+                origin = origin * jointMotion(joint, value);
                 continue;
             }
             if (joint.mimic)
@@ -211,13 +225,12 @@ namespace ompl_mfa::robots
                                  "', which follows another one; accepted are "
                                  "other links");
             }
-            segments.addSegment(segmentOf(joint));
-            variables.push_back(static_cast<std::size_t>(variable - robot.group.begin()));
+            const auto number = static_cast<std::size_t>(variable - robot.group.begin());
+            chain_->segments.push_back({origin, &joints_[number], number});
+            origin = fcl::Transform3d::Identity();
         }
-        segments.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::Fixed),
-                                         frameOf(fcl::Transform3d(Eigen::Translation3d(target_.offset)))));
-        chain_ = std::make_unique<Chain>(segments);
-        chain_->variables = variables;
+        chain_->segments.push_back({origin * fcl::Transform3d(Eigen::Translation3d(target_.offset)), nullptr, 0});
+        chain_->finish();
     }
 
     // Projected to the tolerances in every step, so that arms of fewer degrees of freedom than a pose find what they
@@ -267,7 +280,7 @@ namespace ompl_mfa::robots
         const double share = 0.99 * random_->uniform01();
         for (std::size_t i = 0; i < chain_->variables.size(); ++i)
         {
-            chain_->joints(static_cast<unsigned int>(i)) = values[chain_->variables[i]];
+            chain_->values[static_cast<Eigen::Index>(i)] = values[chain_->variables[i]];
         }
         if (!solve(share))
         {
@@ -275,7 +288,7 @@ namespace ompl_mfa::robots
         }
         for (std::size_t i = 0; i < chain_->variables.size(); ++i)
         {
-            values[chain_->variables[i]] = chain_->joints(static_cast<unsigned int>(i));
+            values[chain_->variables[i]] = chain_->values[static_cast<Eigen::Index>(i)];
         }
         return bringWithinLimits(values);
     }
@@ -290,17 +303,17 @@ namespace ompl_mfa::robots
         const int rows = target_.rotationTolerance ? 6 : 3;
         for (int iteration = 0; iteration < ITERATIONS; ++iteration)
         {
-            KDL::Frame reached;
-            chain_->forward.JntToCart(chain_->joints, reached);
-            const KDL::Twist twist = KDL::diff(reached, frameOf(nearestTarget(poseOf(reached), share)));
-            if (twist.vel.Norm() <= POSITION_ACCURACY && (rows == 3 || twist.rot.Norm() <= ROTATION_ACCURACY))
+            chain_->update();
+            const fcl::Transform3d goal = nearestTarget(chain_->reached, share);
+            const Eigen::AngleAxisd turn(fcl::Matrix3d(goal.linear() * chain_->reached.linear().transpose()));
+            Eigen::Matrix<double, 6, 1> error;
+            error << goal.translation() - chain_->reached.translation(), turn.angle() * turn.axis();
+            if (error.head<3>().norm() <= POSITION_ACCURACY &&
+                (rows == 3 || error.tail<3>().norm() <= ROTATION_ACCURACY))
             {
                 return true;
             }
-            Eigen::Matrix<double, 6, 1> error;
-            error << twist.vel.x(), twist.vel.y(), twist.vel.z(), twist.rot.x(), twist.rot.y(), twist.rot.z();
-            chain_->derivative.JntToJac(chain_->joints, chain_->jacobian);
-            Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian = chain_->jacobian.data;
+            Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian = chain_->jacobian;
             if (rows == 3)
             {
                 error.tail<3>().setZero();
@@ -313,9 +326,9 @@ namespace ompl_mfa::robots
             step *= largest > LARGEST_STEP ? LARGEST_STEP / largest : 1.;
             for (std::size_t i = 0; i < chain_->variables.size(); ++i)
             {
-                const auto k = static_cast<unsigned int>(i);
+                const auto k = static_cast<Eigen::Index>(i);
                 const Joint &joint = joints_[chain_->variables[i]];
-                chain_->joints(k) = std::clamp(chain_->joints(k) + step[k], joint.lower, joint.upper);
+                chain_->values[k] = std::clamp(chain_->values[k] + step[k], joint.lower, joint.upper);
             }
         }
         return false;
