@@ -54,7 +54,7 @@ namespace ompl_mfa::drive
         /* Distances beyond a few times the robot's size only make motion checks in the open a little faster. */
         double usefulDistance(const maps::Footprint &footprint, double resolution)
         {
-            constexpr double LEAST = 48.0;
+            constexpr double LEAST = 24.0;
             constexpr double FACTOR = 3.0;
             return std::max(LEAST, FACTOR * (footprint.reach() + footprint.margin()) / resolution);
         }
