@@ -313,6 +313,7 @@ namespace ompl_mfa::cli
 
             std::vector<Driven> all;
             std::vector<DriveSummary> summaries;
+            summaries.reserve(specs.size());
             for (const auto &spec : specs)
             {
                 summaries.emplace_back(spec.name);
