@@ -107,7 +107,7 @@ namespace ompl_mfa::python
                 return calls_.call(
                     [this, &points]
                     {
-                        const auto values = py::cast<Eigen::VectorXd>(function_(points));
+                        auto values = py::cast<Eigen::VectorXd>(function_(points));
                         if (values.size() != points.cols())
                         {
                             throw std::invalid_argument("the vectorized function returned " +

@@ -236,6 +236,7 @@ namespace ompl_mfa::benchmark
             Statement insertion(const std::string &table, const std::vector<std::string> &columns)
             {
                 std::vector<std::string> names;
+                names.reserve(columns.size());
                 for (const std::string &column : columns)
                 {
                     names.push_back(quoted(column));
