@@ -438,7 +438,10 @@ namespace ompl_mfa::cli
 
             benchmark::setRandomSeed(options.seed);
             PlanRun run(factory, spec, options);
-            requirePathFormat(pathFormat(options.path), *run.setup().getStateSpace(), options.path);
+            if (factory.arm() == nullptr)
+            {
+                requirePathFormat(pathFormat(options.path), *run.setup().getStateSpace(), options.path);
+            }
             const Result result = run.solve();
             if (!options.path.empty() && run.setup().haveSolutionPath())
             {
