@@ -42,6 +42,7 @@
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/goals/GoalState.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
 
 #include "benchmark/InputErrorOf.h"
 #include "maps/MapFolder.h"

@@ -94,9 +94,9 @@ namespace ompl_mfa::benchmark
 
         const ProblemFactory &paperScene()
         {
-            static const ProblemFactory factory(
+            static const ProblemFactory FACTORY(
                 readBenchmarkConfig(OMPL_MFA_SOURCE_DIR "/benchmarks/configs/paper_scene.cfg"));
-            return factory;
+            return FACTORY;
         }
 
         PlannerSpec specOf(const std::string &type)

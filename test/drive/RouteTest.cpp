@@ -37,6 +37,7 @@
 #include "drive/Route.h"
 
 #include <gtest/gtest.h>
+#include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
 namespace ompl_mfa::drive
