@@ -47,7 +47,6 @@
 #include "benchmark/CampaignLog.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
-#include "ompl_mfa/benchmark/ResultsDatabase.h"
 #include "text/NumberText.h"
 
 namespace py = pybind11;
@@ -63,20 +62,13 @@ namespace ompl_mfa::python
             const benchmark::BenchmarkConfig config = benchmark::readBenchmarkConfig(file);
             const benchmark::Campaign campaign = benchmark::makeCampaign(config);
             campaign.validate();
-            if (!database.empty())
-            {
-                benchmark::prepareDatabase(database);
-            }
             benchmark::CampaignOptions options;
             options.log = log;
+            options.database = database;
             options.jobs = jobs;
             options.resume = resume;
             options.overwrite = overwrite;
             const benchmark::CampaignResult result = campaign.run(options);
-            if (!database.empty())
-            {
-                benchmark::addToDatabase(database, result.log);
-            }
             if (result.interruptedBy != 0)
             {
                 PyErr_SetNone(PyExc_KeyboardInterrupt);

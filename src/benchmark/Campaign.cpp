@@ -53,6 +53,7 @@
 #include "campaign/Campaign.h"
 #include "campaign/Digest.h"
 #include "ompl_mfa/InputError.h"
+#include "ompl_mfa/benchmark/ResultsDatabase.h"
 #include "text/NumberText.h"
 
 namespace ob = ompl::base;
@@ -268,6 +269,10 @@ namespace ompl_mfa::benchmark
     CampaignResult Campaign::run(const CampaignOptions &options) const
     {
         requireLogFile(options.log);
+        if (!options.database.empty())
+        {
+            prepareDatabase(options.database);
+        }
         std::vector<campaign::Task> tasks;
         for (const auto &entry : runs())
         {
@@ -291,6 +296,10 @@ namespace ompl_mfa::benchmark
         result.log = assembleLog(runs);
         writeBenchmarkLog(options.log, result.log);
         savePaths(options.log, description_.savePaths, runs.records);
+        if (!options.database.empty())
+        {
+            addToDatabase(options.database, result.log);
+        }
         return result;
     }
 

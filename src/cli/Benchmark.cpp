@@ -54,7 +54,6 @@
 #include "cli/NumberOption.h"
 #include "ompl_mfa/InputError.h"
 #include "ompl_mfa/benchmark/Campaign.h"
-#include "ompl_mfa/benchmark/ResultsDatabase.h"
 #include "text/NumberText.h"
 
 namespace ompl_mfa::cli
@@ -360,11 +359,7 @@ namespace ompl_mfa::cli
             const benchmark::BenchmarkConfig config = benchmark::readBenchmarkConfig(options.config);
             const benchmark::Campaign campaign = benchmark::makeCampaign(config);
             campaign.validate();
-            const auto database = benchmark::writtenPath(options.database, "--database " + options.database);
-            if (!database.empty())
-            {
-                benchmark::prepareDatabase(database);
-            }
+            options.campaign.database = benchmark::writtenPath(options.database, "--database " + options.database);
             options.campaign.log = options.output.empty()
                                        ? benchmark::logFile(config, options.campaign.shard, options.campaign.shards)
                                        : benchmark::writtenPath(options.output, "--output " + options.output);
@@ -372,10 +367,6 @@ namespace ompl_mfa::cli
             options.campaign.terminal = isatty(STDERR_FILENO) != 0;
 
             const benchmark::CampaignResult result = campaign.run(options.campaign);
-            if (!database.empty())
-            {
-                benchmark::addToDatabase(database, result.log);
-            }
             const auto summaries = summarize(result.log);
             const auto sets = summarizeSets(result.log);
             if (options.json)

@@ -37,7 +37,6 @@
 #include "drive/Drive.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -45,6 +44,7 @@
 #include <ompl/base/ScopedState.h>
 
 #include "benchmark/NoWarnings.h"
+#include "drive/Clock.h"
 #include "drive/Replanner.h"
 #include "drive/Route.h"
 #include "drive/Stepping.h"
@@ -58,12 +58,6 @@ namespace ompl_mfa::drive
     {
         namespace ob = ompl::base;
         namespace og = ompl::geometric;
-        using Clock = std::chrono::steady_clock;
-
-        double secondsSince(Clock::time_point begin)
-        {
-            return std::chrono::duration<double>(Clock::now() - begin).count();
-        }
 
         std::shared_ptr<const maps::ObstacleGrid> unowned(const maps::ObstacleGrid *grid)
         {

@@ -95,7 +95,7 @@ namespace ompl_mfa::drive
         /** \brief Adds this to what is known. Returns whether an obstacle appeared or disappeared. */
         bool learn(const std::vector<maps::CellChange> &changes);
 
-        /** \brief All cells that learn() was told since the last call. */
+        /** \brief All cells passed to learn() since the last call. */
         std::vector<maps::CellChange> takeNews();
 
     private:

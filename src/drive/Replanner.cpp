@@ -37,13 +37,13 @@
 #include "drive/Replanner.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/PathSimplifier.h>
 
+#include "drive/Clock.h"
 #include "ompl_mfa/planner/MFA.h"
 
 namespace ompl_mfa::drive
@@ -52,12 +52,6 @@ namespace ompl_mfa::drive
     {
         namespace ob = ompl::base;
         namespace og = ompl::geometric;
-        using Clock = std::chrono::steady_clock;
-
-        double secondsSince(Clock::time_point begin)
-        {
-            return std::chrono::duration<double>(Clock::now() - begin).count();
-        }
     }  // namespace
 
     Replanner::Replanner(const benchmark::ProblemFactory &factory, const benchmark::PlannerSpec &spec)

@@ -60,8 +60,8 @@ namespace ompl_mfa::drive
     };
 
     /** \brief A planner that is asked again and again, for other starts and in a world that changes. MFA keeps what it
-        knows; any other planner begins anew each time. Paths of planners that do not optimize are simplified in what is
-        left of the time. */
+        knows; any other planner starts from scratch each time. Paths of planners that do not optimize are simplified in
+       what is left of the time. */
     class Replanner
     {
     public:

@@ -113,6 +113,8 @@ namespace ompl_mfa::benchmark
     {
         /** \brief The log; its journal and the paths are written to the same folder. */
         std::filesystem::path log;
+        /** \brief An SQLite database to which the runs are added, see addToDatabase(); none if empty. */
+        std::filesystem::path database;
         /** \brief Number of simultaneous runs. */
         unsigned int jobs{1};
         /** \brief Makes only shard `shard` of `shards`, counted from 1. */
@@ -155,8 +157,8 @@ namespace ompl_mfa::benchmark
         void validate() const;
 
         /** \brief Makes the runs and writes the log. On SIGINT, SIGTERM or SIGHUP it writes a log of the finished runs
-            and returns. Throws InputError if the log cannot be written, or if there already is a journal of an
-            interrupted or of another campaign. */
+            and returns. Throws InputError if the log or the database cannot be written, or if there already is a
+           journal of an interrupted or of another campaign. */
         CampaignResult run(const CampaignOptions &options) const;
 
         /** \brief A digest of the description, by which logs and journals of the same campaign are recognised. */

@@ -74,7 +74,8 @@ namespace ompl_mfa::maps
     public:
         /** \param map the cells
             \param unknown whether unknown cells are obstacles
-            \param farthest cells, at least 1: larger distances are not told apart, which bounds the work of update() */
+            \param farthest cells, at least 1: distances are computed up to this one, which bounds the work of update()
+         */
         explicit ObstacleGrid(GridMap map, UnknownCells unknown = UnknownCells::Occupied,
                               double farthest = std::numeric_limits<double>::infinity());
 
@@ -85,7 +86,7 @@ namespace ompl_mfa::maps
             MFA::validityChanged(). */
         bool update(const std::vector<CellChange> &changes);
 
-        /** \brief Cells: the largest distance that is told apart from larger ones. */
+        /** \brief Cells: distances are computed up to this one; larger ones count as it. */
         double farthest() const
         {
             return farthest_;
